@@ -1,0 +1,15 @@
+# Text files as string literals in a generated source, so that the program is one file.
+# embed_texts(TEMPLATE VARIABLE GLOB): VARIABLE becomes the generated file, to be added to a target.
+function(embed_texts template variable pattern)
+  file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${pattern})
+  set(TYG_ENTRIES "")
+  foreach(file IN LISTS files)
+    file(READ ${file} text)
+    get_filename_component(name ${file} NAME)
+    string(REGEX REPLACE "\\.toml$" "" name ${name})
+    string(APPEND TYG_ENTRIES "    {\"${name}\", R\"tyg(${text})tyg\"},\n")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  endforeach()
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/${template} ${PROJECT_BINARY_DIR}/generated/${variable}.cpp @ONLY)
+  set(${variable} ${PROJECT_BINARY_DIR}/generated/${variable}.cpp PARENT_SCOPE)
+endfunction()

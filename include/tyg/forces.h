@@ -1,0 +1,75 @@
+// Forces on the particles of a sheet: springs, gravity, drag and pushes, from positions and velocities.
+// Must not know: time, methods. What a scene does not model costs nothing here.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "tyg/state.h"
+
+namespace tyg {
+
+class Workers;
+
+/// Energies stored in a state, J, and the largest spring elongation as a fraction of its rest length.
+struct StoredEnergy {
+  double kinetic = 0;
+  double elastic = 0;
+  double gravitational = 0;  ///< zero where every particle is at height zero
+  double maxStretch = 0;     ///< >= 0
+};
+
+/// The forces of a scene in newtons. Pinned particles feel exactly 0.
+template <class T>
+class Forces {
+ public:
+  /// `workers` must outlive this object; rows are shared out over them, and the result does not depend on how many.
+  Forces(const Scene& scene, const Sheet& sheet, Workers& workers);
+  ~Forces();
+  Forces(const Forces&) = delete;
+  Forces& operator=(const Forces&) = delete;
+
+  /// Force on every particle at these positions and velocities. Counts as one force evaluation.
+  void evaluate(const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force);
+
+  /// Newtons to metres per second squared.
+  [[nodiscard]] double inverseMass() const { return inverseMass_; }
+  [[nodiscard]] const Layout& layout() const { return layout_; }
+  [[nodiscard]] Workers& workers() const { return workers_; }
+  [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
+
+  /// Constant force on one particle (N), added to any that is there. Ignored by a pinned particle.
+  void addPush(int particle, const Vec3& force);
+  void clearPushes() { pushes_.clear(); }
+
+  /// Energies of this state. Sums run row by row in one fixed order.
+  [[nodiscard]] StoredEnergy energy(const State<T>& state) const;
+
+  /// With `on`, every evaluation also works out the power that damping and drag take from the cloth.
+  void trackDissipation(bool on) { trackDissipation_ = on; }
+  /// The last evaluation counts for `seconds` in the integral of the dissipated power. Methods call it with their own
+  /// quadrature weights, so that the ledger closes to the method's own order.
+  void dissipate(double seconds) { dissipated_ += seconds * power_; }
+  [[nodiscard]] double dissipated() const { return dissipated_; }  ///< J, so far
+  void setDissipated(double joules) { dissipated_ = joules; }
+
+ private:
+  struct Kernel;
+  struct PushedParticle {
+    std::ptrdiff_t at;
+    Vec3 force;
+  };
+  [[nodiscard]] double dampingPower(const VectorField<T>& position, const VectorField<T>& velocity) const;
+
+  Layout layout_;
+  Workers& workers_;
+  double inverseMass_;
+  std::unique_ptr<Kernel> kernel_;
+  std::vector<PushedParticle> pushes_;
+  std::int64_t evaluations_ = 0;
+  bool trackDissipation_ = false;
+  double power_ = 0, dissipated_ = 0;
+};
+
+}  // namespace tyg

@@ -1,0 +1,50 @@
+// What a time integration method is to the rest of the program: one class with step() and reset(), one line in a table.
+// Must not know: scenes, time of day, how forces are computed.
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "tyg/forces.h"
+#include "tyg/state.h"
+
+namespace tyg {
+
+/// Turns the state at t into the state at t + h. Owns its scratch memory and allocates nothing in step().
+template <class T>
+class Integrator {
+ public:
+  virtual ~Integrator() = default;
+  /// One step of h seconds (> 0). The forces hold constant parameters during the step.
+  virtual void step(Forces<T>& forces, State<T>& state, double h) = 0;
+  /// Forgets what was kept from the last step. Whoever edits the state or the forces calls this.
+  virtual void reset() {}
+  /// A copy with the same memory, for snapshots.
+  [[nodiscard]] virtual std::unique_ptr<Integrator> clone() const = 0;
+};
+
+/// A line of the table of methods. Everything that lists methods (command line, tests, charts) loops over that table.
+struct Method {
+  std::string_view name;       ///< as scenes and the command line write it
+  std::string_view label;      ///< as charts and the window write it
+  std::string_view scheme;     ///< one line: the formula
+  int order;                   ///< of convergence, for smooth forces
+  int evaluationsPerStep;      ///< force evaluations of one step
+  int evaluationsAtStart;      ///< more of them in the first step, and after every reset
+  /// Largest stable step in seconds for the mode x'' + d x' + w2 x = 0 (w2 in 1/s2, d in 1/s, both >= 0): infinite where
+  /// every step is stable, 0 where none is. Null where the method has no limit at all.
+  double (*stableStep)(double w2, double d);
+  std::unique_ptr<Integrator<float>> (*makeFloat)(const Layout&);
+  std::unique_ptr<Integrator<double>> (*makeDouble)(const Layout&);
+
+  template <class T>
+  [[nodiscard]] std::unique_ptr<Integrator<T>> make(const Layout& layout) const {
+    if constexpr (sizeof(T) == sizeof(float)) {
+      return makeFloat(layout);
+    } else {
+      return makeDouble(layout);
+    }
+  }
+};
+
+}  // namespace tyg

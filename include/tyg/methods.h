@@ -1,0 +1,18 @@
+// The table of methods.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "tyg/integrator.h"
+
+namespace tyg {
+
+/// Every method, in the order in which people meet them.
+std::span<const Method> methods();
+/// Their names, in the same order.
+std::span<const std::string_view> methodNames();
+/// The method of that name. Throws InputError that lists the names.
+const Method& findMethod(std::string_view name);
+
+}  // namespace tyg

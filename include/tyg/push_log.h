@@ -1,0 +1,45 @@
+// What a person did to a running cloth, tick by tick, so that it can be done again to the same bits.
+// Must not know: windows, the simulation.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tyg/scene.h"
+
+namespace tyg {
+
+/// One deed, taking effect at the beginning of a tick.
+struct LogEvent {
+  enum class Kind { Push, Method, Step };
+  std::int64_t tick = 0;
+  Kind kind = Kind::Push;
+  int particle = 0;         ///< Push
+  Vec3 force;               ///< Push, N
+  int ticks = 0;            ///< Push, how long
+  std::string method;       ///< Method
+  double dt = 0;            ///< Step, s
+  bool operator==(const LogEvent&) const = default;
+};
+
+/// The deeds in order, and what they were done to.
+struct PushLog {
+  std::string scene;         ///< built-in name or path
+  int columns = 0, rows = 0;
+  std::string integrator;    ///< at the start
+  double dt = 0;             ///< s, at the start
+  Precision precision = Precision::Double;
+  std::int64_t ticks = 0;    ///< length of the run
+  std::string hash;          ///< of the state at the end, hexadecimal; empty where nobody asked
+  std::vector<LogEvent> events;
+  bool operator==(const PushLog&) const = default;
+};
+
+/// As text: `# key = value` lines, then CSV with the header `tick,event,particle,fx,fy,fz,ticks,method,dt`.
+std::string formatPushLog(const PushLog& log);
+/// Throws InputError with file, line, what was found and what is allowed.
+PushLog parsePushLog(std::string_view text, const std::string& fileName);
+
+}  // namespace tyg

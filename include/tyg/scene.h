@@ -1,0 +1,110 @@
+// A scene: everything that a simulation starts from, as plain data read from a TOML text.
+// Must not know: particles' present state, methods' code, files of results, windows.
+#pragma once
+
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tyg {
+
+/// What a person wrote is wrong. `what()` says where, what was found and what is allowed. Programs exit with 2.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A vector of the outside world (metres, newtons or m/s2, as its owner says); y is up.
+struct Vec3 {
+  double x = 0, y = 0, z = 0;
+  bool operator==(const Vec3&) const = default;
+};
+
+enum class Start { Hanging, Flat };        ///< in the x-y plane, or in the x-z plane
+enum class Damping { Relative, Axial };    ///< against the ends' relative velocity, or its part along the spring
+enum class Precision { Float, Double };
+
+/// One family of springs. A family with neither stiffness nor damping is not part of the model.
+struct SpringFamily {
+  double ks = 0;  ///< stiffness, N/m, >= 0
+  double kd = 0;  ///< damping, N s/m, >= 0
+  [[nodiscard]] bool present() const { return ks > 0 || kd > 0; }
+  bool operator==(const SpringFamily&) const = default;
+};
+
+/// A particle, or for pins a set of particles, as a scene names it.
+struct Place {
+  std::string name;         ///< "top-left", ..., a set such as "top"; empty: the particle [column, row]
+  int column = 0, row = 0;  ///< used where name is empty
+  bool operator==(const Place&) const = default;
+};
+
+/// One particle is moved once, before t = 0.
+struct Displacement {
+  Place particle;
+  Vec3 by;  ///< m
+  bool operator==(const Displacement&) const = default;
+};
+
+/// A constant force on one particle during [at, at + duration).
+struct Push {
+  Place particle;
+  Vec3 force;           ///< N
+  double at = 0;        ///< s, >= 0
+  double duration = 0;  ///< s, >= 0; the key `for` of the file
+  bool operator==(const Push&) const = default;
+};
+
+/// The contents of a scene file. Defaults are those of an empty world; the reader refuses what it does not know.
+struct Scene {
+  std::string name;   ///< of the built-in scene, or the path of the file
+  std::string title;  ///< a few words
+  std::string shows;  ///< one sentence: what a person will see
+
+  int columns = 1, rows = 1;   ///< 1..4096 each
+  double spacing = 1;          ///< m between neighbours at rest, > 0
+  double particleMass = 1;     ///< kg each, > 0 (worked out from area_density where the file gives that)
+  Start start = Start::Hanging;
+  std::vector<Place> pins;     ///< held at their start positions
+
+  Damping damping = Damping::Relative;
+  SpringFamily structural, shear, bend;
+
+  Vec3 gravity{0, -9.81, 0};  ///< m/s2
+  double drag = 0;            ///< N s/m per particle, >= 0
+
+  std::vector<Displacement> displacements;
+  std::vector<Push> pushes;
+
+  double duration = 1;         ///< s, > 0
+  std::string integrator;      ///< a registered method's name
+  double dt = 1e-3;            ///< s, > 0; fixed-step methods and the viewer's tick
+  double tolerance = 1e-4;     ///< m, > 0; adaptive methods
+  Precision precision = Precision::Double;
+  bool operator==(const Scene&) const = default;
+};
+
+/// Reads a scene from TOML text. `methods` are the integrator names to allow (none given: any).
+/// Throws InputError with file, line, key, what was found and what is allowed.
+Scene parseScene(std::string_view text, const std::string& fileName, std::span<const std::string_view> methods = {});
+
+/// Reads a built-in scene by its name, or else the .toml file at that path. Throws InputError; a name that is neither
+/// is answered with the built-in names.
+Scene loadScene(const std::string& nameOrPath, std::span<const std::string_view> methods = {});
+
+/// A scene that is embedded in the program.
+struct BuiltinScene {
+  std::string_view name;
+  std::string_view text;  ///< TOML
+};
+/// All built-in scenes, the default (`curtain`) first, the others by name.
+std::span<const BuiltinScene> builtinScenes();
+
+/// The same cloth on another grid: spacing = larger side / (larger count - 1), particle mass and drag = the sheet's total
+/// over the new count, [column, row] places scale with the sheet and are rounded; ks, kd and pushes stay.
+/// Throws InputError where a count is outside 1..4096 or the cloth has no extent to keep.
+Scene withSheet(Scene scene, int columns, int rows);
+
+}  // namespace tyg

@@ -1,0 +1,110 @@
+// A simulation: a scene set in motion by a method. All that viewers, studies and tests talk to.
+// Must not know: windows, files, clocks.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "tyg/integrator.h"
+#include "tyg/push_log.h"
+#include "tyg/scene.h"
+#include "tyg/sheet.h"
+
+namespace tyg {
+
+enum class Status { Ok, Unstable, NotFinite };
+/// `ok`, `unstable`, `not-finite`.
+std::string_view nameOf(Status status);
+
+/// What a run keeps account of, J. Kinetic + elastic + gravitational + dissipated - work keeps its start value.
+struct Ledger {
+  double kinetic = 0, elastic = 0;
+  double gravitational = 0;     ///< zero at the start
+  double work = 0;              ///< done by pushes: force times the distance moved, exact
+  double dissipated = 0;        ///< by damping and drag; only with Settings::ledger
+  double scale = 0;             ///< S of the alarm: the run's own measure of a large energy
+  double drift = 0;             ///< change of the sum since the start as a fraction of scale; only with Settings::ledger
+  double maxStretch = 0;        ///< largest spring elongation over the run, fraction of its rest length
+};
+
+/// What a caller may ask of a simulation besides its scene.
+struct Settings {
+  int threads = 0;         ///< 0: one below the size where more pay, else every core
+  bool ledger = false;     ///< follow the dissipated energy (costs about half a force evaluation per evaluation)
+  bool keepGoing = false;  ///< run on past the alarm
+};
+
+/// A complete copy of a moving simulation: restoring it and going on gives the same bits as never having stopped.
+class Snapshot {
+ public:
+  [[nodiscard]] double time() const { return time_; }  ///< s
+ private:
+  friend class Simulation;
+  double time_ = 0;
+  std::shared_ptr<const void> body_;
+};
+
+class Simulation {
+ public:
+  /// Sets the scene up in its own precision. Throws InputError where pins or pushes lie outside the sheet.
+  Simulation(const Scene& scene, const Method& method, const Settings& settings = {});
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  /// Steps until `time` (s), which is met exactly, as are the edges of pushes on the way. Returns early when the alarm goes
+  /// (unless keepGoing) or the observer says stop.
+  void advanceTo(double time);
+  /// Advances by exactly one tick of dt; a tick is cut where a scene's push begins or ends inside it.
+  void tick();
+  /// Called about every 64 steps; return false to stop. For progress and interruption.
+  void observe(std::function<bool()> observer);
+
+  /// A push from the next tick on for a whole number of ticks (>= 1), logged. Force in N.
+  void push(int particle, const Vec3& force, int ticks);
+  /// Goes on with another method or step from the next tick on, logged. Throws InputError where dt is not positive.
+  void useMethod(const Method& method);
+  void useStep(double dt);
+  /// Does what a log says at its ticks, from now (tick 0) on. Throws InputError where it does not fit the scene.
+  void replay(const PushLog& log);
+
+  [[nodiscard]] double time() const;        ///< s
+  [[nodiscard]] std::int64_t ticks() const; ///< calls of tick() so far
+  [[nodiscard]] double dt() const;          ///< s, as asked for
+  [[nodiscard]] double largestStep() const; ///< s, really taken
+  [[nodiscard]] std::int64_t steps() const;
+  [[nodiscard]] std::int64_t forceEvaluations() const;
+  [[nodiscard]] int threads() const;
+  [[nodiscard]] const Scene& scene() const;
+  [[nodiscard]] const Sheet& sheet() const;
+  [[nodiscard]] const Method& method() const;
+  [[nodiscard]] const PushLog& log() const; ///< every push and change since the start
+
+  [[nodiscard]] Vec3 position(int particle) const;  ///< m
+  [[nodiscard]] Vec3 velocity(int particle) const;  ///< m/s
+  /// x, y, z of every particle in index order, for drawing; `xyz` holds 3 * count numbers.
+  void copyPositions(std::span<float> xyz) const;
+  [[nodiscard]] std::uint64_t hash() const;
+
+  /// Energies now. Also moves the alarm's lowest value, so looking never makes a later alarm sleepier.
+  Ledger ledger();
+  /// Checks the alarm now; every 64 steps this happens by itself. The status, once bad, stays.
+  Status check();
+  [[nodiscard]] Status status() const;
+  [[nodiscard]] double alarmTime() const;  ///< s at which the status turned bad; NaN while it is Ok
+
+  [[nodiscard]] Snapshot save() const;
+  /// Goes back to a moment saved by this same simulation, its log and method included.
+  void restore(const Snapshot& snapshot);
+
+ private:
+  class Body;
+  template <class T>
+  class BodyOf;
+  std::unique_ptr<Body> body_;
+};
+
+}  // namespace tyg
