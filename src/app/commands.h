@@ -1,0 +1,40 @@
+// The commands of the program, one file each, and the scene options that all of them share.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "tyg/scene.h"
+
+namespace CLI {
+class App;
+}
+
+namespace tyg {
+
+/// What the chosen command does once the whole command line is understood; the result is the exit code.
+/// It throws InputError for wrong input (exit code 2).
+using Action = std::function<int()>;
+
+/// A scene and what the command line changes in it.
+struct SceneOptions {
+  std::string scene = "curtain";
+  std::optional<std::string> integrator, precision, sheet;
+  std::optional<double> dt, tolerance, duration;
+  std::optional<int> threads;
+};
+/// Adds SCENE and --integrator, --dt, --tolerance, --duration, --precision, --threads, --sheet to a command.
+/// `options` must live as long as `command`.
+void addSceneOptions(CLI::App& command, SceneOptions& options, bool sceneRequired = true);
+/// The scene with the overrides applied. Throws InputError.
+Scene chosenScene(const SceneOptions& options);
+
+// Each adds its subcommand to `app`; when it is chosen, `action` is set.
+void addViewCommand(CLI::App& app, Action& action);
+void addRunCommand(CLI::App& app, Action& action);
+void addRenderCommand(CLI::App& app, Action& action);
+void addPlotCommand(CLI::App& app, Action& action);
+void addListCommand(CLI::App& app, Action& action);
+
+}  // namespace tyg
