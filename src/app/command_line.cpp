@@ -1,0 +1,127 @@
+// Understands the command line with CLI11, runs the chosen command, and turns every failure into one message.
+#include "app/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "app/commands.h"
+
+namespace tyg {
+namespace {
+
+constexpr const char* kAbout =
+    "Tyg, an interactive cloth viewer: a sheet of particles joined by springs, moved by the method you name.\n"
+    "`tyg` alone opens the window with the curtain, `tyg flag` with the flag: space starts it, a left click pokes it.";
+
+constexpr const char* kMore =
+    "SCENE is a built-in name (tyg list shows them) or the path of a .toml file.\n\n"
+    "Examples:\n"
+    "  tyg                                    the curtain in a window\n"
+    "  tyg view poke --integrator leapfrog    another scene, another method\n"
+    "  tyg run curtain --duration 5           simulate, without a window\n"
+    "  tyg run --help                         every option of a command, with its unit and default\n\n"
+    "Exit codes: 0 done; 1 the simulation failed; 2 wrong input or usage, or an output that cannot be written;\n"
+    "130 interrupted by Ctrl-C (files that were not finished are not written).";
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::vector<std::string> commandNames(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+bool isBuiltin(const std::string& name) {
+  return std::ranges::any_of(builtinScenes(), [&](const BuiltinScene& scene) { return scene.name == name; });
+}
+
+/// `view` may be left out: `tyg`, `tyg flag` and `tyg --window glut` mean it. A first word that is neither command nor
+/// scene is refused here, where both can be named.
+void insertView(const CLI::App& app, std::vector<std::string>& words) {
+  const std::string first = words.empty() ? "" : words.front();
+  const std::vector<std::string> commands = commandNames(app);
+  if (first == "--help" || first == "-h" || first == "--version" || std::ranges::count(commands, first) > 0) return;
+  const bool isWord = !first.empty() && first.front() != '-';
+  std::error_code ignored;
+  if (isWord && !isBuiltin(first) && !first.ends_with(".toml") && !std::filesystem::exists(first, ignored)) {
+    std::vector<std::string> scenes;
+    for (const BuiltinScene& scene : builtinScenes()) scenes.emplace_back(scene.name);
+    throw InputError("found '" + first + "', which is neither a command (" + joined(commands) + ") nor a scene (" +
+                     joined(scenes) + ", or the path of a .toml file)");
+  }
+  words.insert(words.begin(), "view");
+}
+
+std::string whatIsAllowed(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    names.push_back(option->get_positional() ? option->get_name(true) : "--" + option->get_lnames().front());
+  }
+  return joined(names);
+}
+
+/// CLI11 says what is wrong; this adds what is allowed and where it is explained.
+int explain(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  const std::string name = chosen.empty() ? "tyg" : "tyg " + command.get_name();
+  std::cerr << name << ": " << error.what();
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
+    std::cerr << "\nAllowed: " << whatIsAllowed(command);
+  }
+  std::cerr << "\nTry: " << name << " --help" << std::endl;
+  return kWrongInput;
+}
+
+int parseAndRun(CLI::App& app, std::vector<std::string> words) {
+  Action action;
+  addViewCommand(app, action);
+  addRunCommand(app, action);
+  addRenderCommand(app, action);
+  addPlotCommand(app, action);
+  addListCommand(app, action);
+  app.require_subcommand(1);
+  try {
+    insertView(app, words);
+    std::ranges::reverse(words);  // the order in which CLI11 takes them
+    app.parse(std::move(words));
+  } catch (const CLI::ParseError& error) {
+    return error.get_exit_code() == 0 ? app.exit(error) : explain(app, error);
+  }
+  return action();
+}
+
+}  // namespace
+
+int runCommandLine(int argc, char** argv) {
+  try {
+    CLI::App app{kAbout, "tyg"};
+    app.get_formatter()->column_width(34);
+    app.set_help_flag("-h,--help", "Print this help and leave");
+    app.set_version_flag("--version", "tyg " TYG_VERSION, "Print the version and leave");
+    app.footer(kMore);
+    return parseAndRun(app, {argv + 1, argv + argc});
+  } catch (const InputError& error) {
+    std::cerr << "tyg: " << error.what() << std::endl;
+    return kWrongInput;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "tyg: there is not enough memory for this scene; a smaller sheet may fit (--sheet CxR)" << std::endl;
+  } catch (const std::system_error& error) {
+    std::cerr << "tyg: the system refused: " << error.code().message() << std::endl;
+  } catch (const std::exception&) {
+    std::cerr << "tyg: stopped by a fault of its own; please report what you typed" << std::endl;
+  }
+  return kSimulationFailed;
+}
+
+}  // namespace tyg
