@@ -1,0 +1,59 @@
+// Draws a sheet with OpenGL 3.3 core: springs as anti-aliased lines shaded with distance, pins, particles, a push, the
+// ground. Must not know: windows, how the context came about, the simulation (it is given positions).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include <glm/glm.hpp>
+
+#include "tyg/sheet.h"
+#include "view/camera.h"
+
+namespace tyg {
+
+enum class Background { Dark, Light };
+
+/// What is drawn and how.
+struct DrawOptions {
+  bool structural = true, shear = false, bend = false;  ///< families of springs, as lines
+  bool particles = false, pins = true;                  ///< as discs
+  bool ground = true;
+  Background background = Background::Dark;
+  float lineWidth = 1.8F;  ///< pixels, > 0, where the mesh is coarse; thinner and fainter where it is dense
+};
+
+/// A push as shown: an arrow on a particle along a force (N).
+struct ShownPush {
+  int particle = 0;
+  Vec3 force;
+};
+
+/// Background colour, red green blue 0..1, for panels and letterboxes that must match.
+glm::vec3 backgroundColour(Background background);
+
+/// All of its OpenGL objects belong to the context that is current when it is made; draw and destroy it in that
+/// context. Expects the OpenGL functions to be loaded (gladLoadGL). Leaves blending and depth testing on, the others as
+/// it sets them; it relies on no state but the bound framebuffer.
+class SheetRenderer {
+ public:
+  /// Throws std::runtime_error with the driver's log where a shader does not compile, or where the driver cannot hold
+  /// so large a sheet. `sheet` is copied.
+  explicit SheetRenderer(const Sheet& sheet);
+  ~SheetRenderer();
+  SheetRenderer(const SheetRenderer&) = delete;
+  SheetRenderer& operator=(const SheetRenderer&) = delete;
+
+  /// Clears the bound framebuffer and draws one frame. `xyz` holds 3 * sheet.count() numbers (anything else throws
+  /// std::invalid_argument), uploaded once. `pixels` is the framebuffer's size; zero draws nothing. The depth shading
+  /// follows camera.watched(). Allocates nothing.
+  void draw(std::span<const float> xyz, const Camera& camera, glm::ivec2 pixels, const DrawOptions& options,
+            const std::optional<ShownPush>& push = std::nullopt);
+
+ private:
+  struct Body;
+  std::unique_ptr<Body> body_;
+};
+
+}  // namespace tyg

@@ -1,0 +1,34 @@
+// Which particle a cursor points at.
+// Must not know: OpenGL, windows, what is done with the particle.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include <glm/glm.hpp>
+
+#include "tyg/sheet.h"
+#include "view/camera.h"
+
+namespace tyg {
+
+/// A half line from the eye into the scene, m.
+struct Ray {
+  glm::vec3 origin;
+  glm::vec3 direction;  ///< unit vector
+};
+/// The line of sight through a cursor. `cursor` in pixels from the top left corner of a window of `window` pixels; both
+/// in the same kind of pixels (a window's own coordinates will do).
+Ray sightLine(const Camera& camera, glm::vec2 cursor, glm::vec2 window);
+
+/// How far from a particle's middle a click still counts, in pixels.
+inline constexpr float kPickRadius = 12;
+
+/// The particle under the cursor, pinned ones included. Where the cursor is on the cloth it is the corner nearest to it
+/// of the mesh cell that the eye sees first; beside the cloth (and on chains and single particles) it is the particle
+/// nearest to the cursor within `radius` pixels. Nothing: the click misses the cloth.
+/// `xyz` holds 3 * sheet.count() numbers; particles that are not finite or behind the eye are never picked.
+std::optional<int> pickParticle(const Camera& camera, glm::vec2 cursor, glm::vec2 window, const Sheet& sheet,
+                                std::span<const float> xyz, float radius = kPickRadius);
+
+}  // namespace tyg
