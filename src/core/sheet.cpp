@@ -1,0 +1,141 @@
+// The sheet at rest: names and places of particles, start shapes, and the springs as pairs.
+// Must not know: the moving state, forces, methods.
+#include "tyg/sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace tyg {
+namespace {
+
+constexpr const char* kParticleNames = "\"top-left\", \"top-right\", \"bottom-left\", \"bottom-right\", \"middle\"";
+constexpr const char* kSetNames = "\"top\", \"left\", \"corners\"";
+
+int indexOf(const Sheet& sheet, int column, int row) { return row * sheet.columns + column; }
+
+/// The particle of that name, or -1.
+int namedParticle(const Sheet& sheet, const std::string& name) {
+  const int right = sheet.columns - 1, bottom = sheet.rows - 1;
+  if (name == "top-left") return indexOf(sheet, 0, 0);
+  if (name == "top-right") return indexOf(sheet, right, 0);
+  if (name == "bottom-left") return indexOf(sheet, 0, bottom);
+  if (name == "bottom-right") return indexOf(sheet, right, bottom);
+  if (name == "middle") return indexOf(sheet, sheet.columns / 2, sheet.rows / 2);
+  return -1;
+}
+
+/// The particles of the set of that name; none where there is no such set.
+std::vector<int> namedSet(const Sheet& sheet, const std::string& name) {
+  const int right = sheet.columns - 1, bottom = sheet.rows - 1;
+  std::vector<int> particles;
+  if (name == "top") {
+    for (int column = 0; column <= right; ++column) particles.push_back(indexOf(sheet, column, 0));
+  } else if (name == "left") {
+    for (int row = 0; row <= bottom; ++row) particles.push_back(indexOf(sheet, 0, row));
+  } else if (name == "corners") {
+    particles = {indexOf(sheet, 0, 0), indexOf(sheet, right, 0), indexOf(sheet, 0, bottom),
+                 indexOf(sheet, right, bottom)};
+  }
+  return particles;
+}
+
+int numberedParticle(const Sheet& sheet, const Place& place) {
+  const bool inside = place.column >= 0 && place.column < sheet.columns && place.row >= 0 && place.row < sheet.rows;
+  if (!inside) {
+    throw InputError("found particle [" + std::to_string(place.column) + ", " + std::to_string(place.row) +
+                     "], allowed columns 0 to " + std::to_string(sheet.columns - 1) + " and rows 0 to " +
+                     std::to_string(sheet.rows - 1));
+  }
+  return indexOf(sheet, place.column, place.row);
+}
+
+[[noreturn]] void refuseName(const Place& place, const std::string& allowed) {
+  throw InputError("found particle \"" + place.name + "\", allowed " + allowed + ", [column, row]");
+}
+
+/// A family's springs as steps on the grid: from (c, r) to (c + columns, r + rows).
+struct GridStep {
+  int columns, rows;
+};
+
+std::array<GridStep, 2> gridSteps(Family family) {
+  switch (family) {
+    case Family::Structural:
+      return {{{1, 0}, {0, 1}}};
+    case Family::Shear:
+      return {{{1, 1}, {-1, 1}}};
+    case Family::Bend:
+      break;
+  }
+  return {{{2, 0}, {0, 2}}};
+}
+
+}  // namespace
+
+double Sheet::size() const {
+  const int longest = std::max(columns, rows);
+  return longest > 1 ? (longest - 1) * spacing : spacing;
+}
+
+Vec3 Sheet::startPosition(int particle) const {
+  const int column = particle % columns, row = particle / columns;
+  const double x = (column - (columns - 1) / 2.0) * spacing;
+  const double down = row * spacing;
+  return start == Start::Hanging ? Vec3{x, -down, 0} : Vec3{x, 0, down};
+}
+
+Sheet makeSheet(const Scene& scene) {
+  Sheet sheet{scene.columns, scene.rows, scene.spacing, scene.particleMass, scene.start, {}};
+  for (const Place& pin : scene.pins) {
+    const std::vector<int> particles = particlesAt(sheet, pin);
+    sheet.pins.insert(sheet.pins.end(), particles.begin(), particles.end());
+  }
+  std::sort(sheet.pins.begin(), sheet.pins.end());
+  sheet.pins.erase(std::unique(sheet.pins.begin(), sheet.pins.end()), sheet.pins.end());
+  return sheet;
+}
+
+int particleAt(const Sheet& sheet, const Place& place) {
+  if (place.name.empty()) return numberedParticle(sheet, place);
+  const int particle = namedParticle(sheet, place.name);
+  if (particle < 0) refuseName(place, kParticleNames);
+  return particle;
+}
+
+std::vector<int> particlesAt(const Sheet& sheet, const Place& place) {
+  if (place.name.empty()) return {numberedParticle(sheet, place)};
+  const int particle = namedParticle(sheet, place.name);
+  if (particle >= 0) return {particle};
+  std::vector<int> particles = namedSet(sheet, place.name);
+  if (particles.empty()) refuseName(place, std::string(kParticleNames) + ", " + kSetNames);
+  return particles;
+}
+
+std::vector<SpringEnds> springsOf(const Sheet& sheet, Family family) {
+  std::vector<SpringEnds> springs;
+  for (int row = 0; row < sheet.rows; ++row) {
+    for (int column = 0; column < sheet.columns; ++column) {
+      for (const GridStep& step : gridSteps(family)) {
+        const int otherColumn = column + step.columns, otherRow = row + step.rows;
+        const bool inside = otherColumn >= 0 && otherColumn < sheet.columns && otherRow < sheet.rows;
+        if (inside) springs.push_back({indexOf(sheet, column, row), indexOf(sheet, otherColumn, otherRow)});
+      }
+    }
+  }
+  return springs;
+}
+
+double restLength(const Sheet& sheet, Family family) {
+  switch (family) {
+    case Family::Structural:
+      return sheet.spacing;
+    case Family::Shear:
+      return sheet.spacing * std::sqrt(2.0);
+    case Family::Bend:
+      break;
+  }
+  return 2 * sheet.spacing;
+}
+
+}  // namespace tyg
