@@ -1,0 +1,153 @@
+// How the camera moves and what it sees; see camera.h.
+#include "view/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace tyg {
+namespace {
+
+constexpr float kSteepest = 1.5533F;       // 89 degrees: straight up has no right-hand side
+constexpr float kTurnPerPixel = 0.0035F;   // radians: half a turn in about 900 pixels
+constexpr float kSpeedPerDistance = 0.9F;  // distances to the cloth flown in a second
+constexpr float kLongestMove = 0.1F;       // s: a stalled frame must not throw the eye across the scene
+constexpr float kNotchShare = 0.88F;       // of the distance that is left after one wheel notch
+constexpr float kMostNotches = 20;
+constexpr float kReach = 500;     // cloth sizes that the eye may fly away
+constexpr float kMargin = 1.12F;  // how much larger than the cloth a framed view is
+
+bool finite(float a, float b) { return std::isfinite(a) && std::isfinite(b); }
+
+glm::vec3 finiteOr(const glm::vec3& v, const glm::vec3& otherwise) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) ? v : otherwise;
+}
+
+/// How far points reach beyond a frustum's side planes of these slopes, as seen along one axis pair.
+struct Reach {
+  float low = -std::numeric_limits<float>::infinity(), high = -std::numeric_limits<float>::infinity();
+  void include(float across, float depth, float slope) {
+    low = std::max(low, -across - slope * depth);
+    high = std::max(high, across - slope * depth);
+  }
+  [[nodiscard]] float eyeAcross() const { return (high - low) / 2; }
+  [[nodiscard]] float eyeDepth(float slope) const { return -(high + low) / (2 * slope); }
+};
+
+}  // namespace
+
+void Camera::watch(const Box& cloth) {
+  const glm::vec3 low = finiteOr(cloth.low, cloth_.low), high = finiteOr(cloth.high, cloth_.high);
+  cloth_ = {low, high};
+  keepInReach();
+}
+
+void Camera::frame(const Box& cloth, float aspect) {
+  watch(cloth);
+  const auto corners = cloth_.corners();
+  frame(std::span<const glm::vec3>(corners), aspect);
+}
+
+void Camera::frame(std::span<const glm::vec3> points, float aspect) {
+  // A point p is inside the side planes where |across(p) - across(eye)| <= slope (depth(p) - depth(eye)). The eye that
+  // just satisfies this for all points is found for both axis pairs; the one that lies farther back satisfies both.
+  const float slopeY = std::tan(fieldOfView_ / 2) / kMargin;
+  const float slopeX = slopeY * (aspect > 0 && std::isfinite(aspect) ? aspect : 1.0F);
+  Reach x, y;
+  for (const glm::vec3& p : points) {
+    const float depth = glm::dot(p, forward());
+    x.include(glm::dot(p, right()), depth, slopeX);
+    y.include(glm::dot(p, up()), depth, slopeY);
+  }
+  if (!finite(x.eyeAcross(), y.eyeAcross())) {
+    return;
+  }
+  // A cloth without extent still gets some room.
+  const float back = std::min(x.eyeDepth(slopeX), y.eyeDepth(slopeY)) - 0.05F * cloth_.size();
+  eye_ = finiteOr(x.eyeAcross() * right() + y.eyeAcross() * up() + back * forward(), eye_);
+  keepInReach();
+}
+
+void Camera::lookAlong(float yaw, float pitch) {
+  if (finite(yaw, pitch)) {
+    yaw_ = std::remainder(yaw, 2 * 3.14159265F);
+    pitch_ = std::clamp(pitch, -kSteepest, kSteepest);
+  }
+}
+
+void Camera::turn(float pixelsRight, float pixelsDown) {
+  lookAlong(yaw_ + kTurnPerPixel * pixelsRight, pitch_ - kTurnPerPixel * pixelsDown);
+}
+
+void Camera::move(const Motion& keys, float seconds) {
+  const float way = kSpeedPerDistance * distance() * std::clamp(seconds, 0.0F, kLongestMove);
+  const glm::vec3 direction = keys.right * right() + keys.up * glm::vec3(0, 1, 0) + keys.forward * forward();
+  eye_ = finiteOr(eye_ + way * direction, eye_);
+  keepInReach();
+}
+
+void Camera::approach(float notches) {
+  const float share = 1 - std::pow(kNotchShare, std::clamp(notches, -kMostNotches, kMostNotches));
+  eye_ = finiteOr(eye_ + share * distance() * forward(), eye_);
+  keepInReach();
+}
+
+void Camera::keepInReach() {
+  const glm::vec3 away = eye_ - cloth_.centre();
+  const float farthestEye = kReach * cloth_.size();
+  if (glm::length(away) > farthestEye) {
+    eye_ = cloth_.centre() + farthestEye * glm::normalize(away);
+  }
+}
+
+glm::vec3 Camera::forward() const {
+  return {std::sin(yaw_) * std::cos(pitch_), std::sin(pitch_), -std::cos(yaw_) * std::cos(pitch_)};
+}
+glm::vec3 Camera::right() const { return {std::cos(yaw_), 0, std::sin(yaw_)}; }
+glm::vec3 Camera::up() const { return glm::cross(right(), forward()); }
+
+float Camera::distance() const { return std::max(glm::distance(eye_, cloth_.centre()), 0.05F * cloth_.size()); }
+
+glm::mat4 Camera::view() const { return glm::lookAt(eye_, eye_ + forward(), glm::vec3(0, 1, 0)); }
+
+glm::mat4 Camera::projection(float aspect) const {
+  return glm::perspective(fieldOfView_, aspect > 0 && std::isfinite(aspect) ? aspect : 1.0F, nearest(), farthest());
+}
+
+float Camera::nearest() const {
+  const glm::vec3 toBox = glm::max(glm::max(cloth_.low - eye_, eye_ - cloth_.high), glm::vec3(0));
+  return std::max(0.3F * glm::length(toBox), 0.002F * cloth_.size());
+}
+float Camera::farthest() const { return 4 * distance() + 30 * cloth_.size(); }
+
+std::optional<EdgeArrow> edgeArrow(const Camera& camera, const Box& cloth, glm::vec2 window, float margin) {
+  if (!(window.x > 2 * margin && window.y > 2 * margin)) {
+    return std::nullopt;
+  }
+  const glm::mat4 view = camera.view();
+  const float slopeY = std::tan(camera.fieldOfView() / 2), slopeX = slopeY * window.x / window.y;
+  // Outside when all corners lie beyond one and the same plane of the frustum: left, right, below, above, behind.
+  std::array<bool, 5> allBeyond{true, true, true, true, true};
+  for (const glm::vec3& corner : cloth.corners()) {
+    const glm::vec3 p = glm::vec3(view * glm::vec4(corner, 1));
+    const std::array<bool, 5> beyond{p.x < slopeX * p.z, -p.x < slopeX * p.z, p.y < slopeY * p.z,
+                                     -p.y<slopeY * p.z, p.z> 0};
+    for (std::size_t i = 0; i < beyond.size(); ++i) {
+      allBeyond[i] = allBeyond[i] && beyond[i];
+    }
+  }
+  if (std::none_of(allBeyond.begin(), allBeyond.end(), [](bool outside) { return outside; })) {
+    return std::nullopt;
+  }
+  const glm::vec3 centre = glm::vec3(view * glm::vec4(cloth.centre(), 1));
+  const glm::vec2 aside(centre.x, -centre.y);
+  // Exactly behind every way is as long; right is as good as any.
+  const glm::vec2 direction = glm::length(aside) > 1e-6F * cloth.size() ? glm::normalize(aside) : glm::vec2(1, 0);
+  const glm::vec2 half = window / 2.0F - margin;
+  const glm::vec2 stretch = half / glm::max(glm::abs(direction), glm::vec2(1e-6F));
+  return EdgeArrow{window / 2.0F + direction * std::min(stretch.x, stretch.y), direction};
+}
+
+}  // namespace tyg
