@@ -57,13 +57,16 @@ struct Push {
   bool operator==(const Push&) const = default;
 };
 
+/// The most columns and the most rows of a sheet.
+inline constexpr int kLargestCount = 4096;
+
 /// The contents of a scene file. Defaults are those of an empty world; the reader refuses what it does not know.
 struct Scene {
   std::string name;   ///< of the built-in scene, or the path of the file
   std::string title;  ///< a few words
   std::string shows;  ///< one sentence: what a person will see
 
-  int columns = 1, rows = 1;   ///< 1..4096 each
+  int columns = 1, rows = 1;   ///< 1..kLargestCount each
   double spacing = 1;          ///< m between neighbours at rest, > 0
   double particleMass = 1;     ///< kg each, > 0 (worked out from area_density where the file gives that)
   Start start = Start::Hanging;
@@ -104,7 +107,7 @@ std::span<const BuiltinScene> builtinScenes();
 
 /// The same cloth on another grid: spacing = larger side / (larger count - 1), particle mass and drag = the sheet's total
 /// over the new count, [column, row] places scale with the sheet and are rounded; ks, kd and pushes stay.
-/// Throws InputError where a count is outside 1..4096 or the cloth has no extent to keep.
+/// Throws InputError where a count is outside 1..kLargestCount or the cloth has no extent to keep.
 Scene withSheet(Scene scene, int columns, int rows);
 
 }  // namespace tyg

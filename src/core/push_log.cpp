@@ -1,0 +1,216 @@
+// A push log as text, written and read back to the same bits.
+// Must not know: files, windows, the simulation.
+#include "tyg/push_log.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <system_error>
+
+namespace tyg {
+namespace {
+
+constexpr std::string_view kColumns = "tick,event,particle,fx,fy,fz,ticks,method,dt";
+constexpr std::size_t kColumnCount = 9;
+constexpr std::array<std::string_view, 8> kKeys = {"scene", "columns",   "rows",  "integrator",
+                                                   "dt",    "precision", "ticks", "hash"};
+
+/// 17 significant digits bring every double back, in every locale.
+std::string textOf(double number) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 17);
+  return {text.data(), end.ptr};
+}
+
+std::string lineOf(const LogEvent& event) {
+  const std::string tick = std::to_string(event.tick);
+  switch (event.kind) {
+    case LogEvent::Kind::Push:
+      return tick + ",push," + std::to_string(event.particle) + ',' + textOf(event.force.x) + ',' +
+             textOf(event.force.y) + ',' + textOf(event.force.z) + ',' + std::to_string(event.ticks) + ",,";
+    case LogEvent::Kind::Method:
+      return tick + ",method,,,,,," + event.method + ',';
+    case LogEvent::Kind::Step:
+      break;
+  }
+  return tick + ",step,,,,,,," + textOf(event.dt);
+}
+
+/// Walks through the text line by line and knows where it is for messages.
+class LogReader {
+ public:
+  LogReader(std::string_view text, const std::string& file) : rest_(text), file_(file) {}
+
+  PushLog read() {
+    readHead();
+    while (nextLine()) readEvent();
+    return log_;
+  }
+
+ private:
+  using Fields = std::array<std::string_view, kColumnCount>;
+
+  bool nextLine() {
+    if (rest_.empty()) return false;
+    const std::size_t end = rest_.find('\n');
+    line_ = rest_.substr(0, end);
+    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    if (!line_.empty() && line_.back() == '\r') line_.remove_suffix(1);
+    ++lineNumber_;
+    return true;
+  }
+
+  [[noreturn]] void refuse(std::string_view what, std::string_view found, const std::string& allowed) const {
+    throw InputError(file_ + ':' + std::to_string(std::max(1, lineNumber_)) + ": " + std::string(what) + ": found '" +
+                     std::string(found) + "', allowed " + allowed);
+  }
+
+  template <class Number>
+  Number number(std::string_view what, std::string_view text, Number lowest, Number highest) const {
+    Number value{};
+    const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool whole = end.ec == std::errc() && end.ptr == text.data() + text.size();
+    if (!whole || !(value >= lowest && value <= highest)) {
+      refuse(what, text, "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest));
+    }
+    return value;
+  }
+
+  double finite(std::string_view what, std::string_view text, bool positive) const {
+    double value = 0;
+    const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool whole = end.ec == std::errc() && end.ptr == text.data() + text.size();
+    if (!whole || !std::isfinite(value) || (positive && value <= 0)) {
+      refuse(what, text, positive ? "a finite number above 0" : "a finite number");
+    }
+    return value;
+  }
+
+  void readHead() {
+    std::array<bool, kKeys.size()> seen{};
+    while (nextLine() && line_ != kColumns) readKey(seen);
+    if (line_ != kColumns) refuse("line", line_, "the line " + std::string(kColumns));
+    for (std::size_t key = 0; key < kKeys.size(); ++key) {
+      const bool optional = kKeys[key] == "hash";
+      if (!seen[key] && !optional)
+        refuse(kKeys[key], "", "a line '# " + std::string(kKeys[key]) + " = ...' above this");
+    }
+  }
+
+  void readKey(std::array<bool, kKeys.size()>& seen) {
+    constexpr std::string_view kMark = "# ", kEquals = " = ";
+    const std::size_t equals = line_.find(kEquals);
+    if (line_.substr(0, kMark.size()) != kMark || equals == std::string_view::npos) {
+      refuse("line", line_, "'# key = value', or the line " + std::string(kColumns));
+    }
+    const std::string_view key = line_.substr(kMark.size(), equals - kMark.size());
+    const auto known = std::find(kKeys.begin(), kKeys.end(), key);
+    if (known == kKeys.end()) refuse("key", key, "scene, columns, rows, integrator, dt, precision, ticks, hash");
+    bool& before = seen[static_cast<std::size_t>(known - kKeys.begin())];
+    if (before) refuse(key, "a second time", "each key once");
+    before = true;
+    keep(key, line_.substr(equals + kEquals.size()));
+  }
+
+  void keep(std::string_view key, std::string_view value) {
+    constexpr std::int64_t kForever = std::numeric_limits<std::int64_t>::max();
+    if (key == "scene") log_.scene = name(key, value);
+    if (key == "columns") log_.columns = number(key, value, 1, kLargestCount);
+    if (key == "rows") log_.rows = number(key, value, 1, kLargestCount);
+    if (key == "integrator") log_.integrator = name(key, value);
+    if (key == "dt") log_.dt = finite(key, value, true);
+    if (key == "ticks") log_.ticks = number(key, value, std::int64_t{0}, kForever);
+    if (key == "hash") log_.hash = hash(value);
+    if (key == "precision") {
+      if (value != "float" && value != "double") refuse(key, value, "float or double");
+      log_.precision = value == "float" ? Precision::Float : Precision::Double;
+    }
+  }
+
+  [[nodiscard]] std::string name(std::string_view what, std::string_view text) const {
+    if (text.empty()) refuse(what, text, "a name");
+    return std::string(text);
+  }
+
+  [[nodiscard]] std::string hash(std::string_view text) const {
+    constexpr std::size_t kDigits = 16;
+    if (text.size() > kDigits || text.find_first_not_of("0123456789abcdefABCDEF") != std::string_view::npos) {
+      refuse("hash", text, "nothing or up to 16 hexadecimal digits");
+    }
+    return std::string(text);
+  }
+
+  [[nodiscard]] Fields split() const {
+    Fields fields;
+    const auto count = static_cast<std::size_t>(std::count(line_.begin(), line_.end(), ',')) + 1;
+    if (count != fields.size()) refuse("line", line_, "nine fields " + std::string(kColumns));
+    std::string_view rest = line_;
+    for (std::string_view& field : fields) {
+      const std::size_t end = rest.find(',');
+      field = rest.substr(0, end);
+      rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    }
+    return fields;
+  }
+
+  void readEvent() {
+    const Fields fields = split();
+    const std::int64_t earliest = log_.events.empty() ? 0 : log_.events.back().tick;
+    LogEvent event;
+    event.tick = number("tick", fields[0], earliest, std::numeric_limits<std::int64_t>::max());
+    if (fields[1] == "push") {
+      readPush(fields, event);
+    } else if (fields[1] == "method") {
+      event.kind = LogEvent::Kind::Method;
+      event.method = name("method", fields[7]);
+    } else if (fields[1] == "step") {
+      event.kind = LogEvent::Kind::Step;
+      event.dt = finite("dt", fields[8], true);
+    } else {
+      refuse("event", fields[1], "push, method or step");
+    }
+    refuseStrays(fields, event.kind);
+    log_.events.push_back(event);
+  }
+
+  void readPush(const Fields& fields, LogEvent& event) const {
+    event.kind = LogEvent::Kind::Push;
+    event.particle = number("particle", fields[2], 0, log_.columns * log_.rows - 1);
+    event.force = {finite("fx", fields[3], false), finite("fy", fields[4], false), finite("fz", fields[5], false)};
+    event.ticks = number("ticks", fields[6], 1, std::numeric_limits<int>::max());
+  }
+
+  /// A number in a field that its event does not use is a mistake somewhere: it is not passed over.
+  void refuseStrays(const Fields& fields, LogEvent::Kind kind) const {
+    for (std::size_t field = 2; field < fields.size(); ++field) {
+      const bool pushField = field <= 6;
+      const bool used = (pushField && kind == LogEvent::Kind::Push) || (field == 7 && kind == LogEvent::Kind::Method) ||
+                        (field == 8 && kind == LogEvent::Kind::Step);
+      if (!used && !fields[field].empty()) refuse("field " + std::to_string(field + 1), fields[field], "nothing");
+    }
+  }
+
+  std::string_view rest_, line_;
+  const std::string& file_;
+  int lineNumber_ = 0;
+  PushLog log_;
+};
+
+}  // namespace
+
+std::string formatPushLog(const PushLog& log) {
+  std::string text = "# scene = " + log.scene + "\n# columns = " + std::to_string(log.columns) +
+                     "\n# rows = " + std::to_string(log.rows) + "\n# integrator = " + log.integrator +
+                     "\n# dt = " + textOf(log.dt) +
+                     "\n# precision = " + (log.precision == Precision::Float ? "float" : "double") +
+                     "\n# ticks = " + std::to_string(log.ticks) + "\n# hash = " + log.hash + '\n';
+  text += std::string(kColumns) + '\n';
+  for (const LogEvent& event : log.events) text += lineOf(event) + '\n';
+  return text;
+}
+
+PushLog parsePushLog(std::string_view text, const std::string& fileName) { return LogReader(text, fileName).read(); }
+
+}  // namespace tyg

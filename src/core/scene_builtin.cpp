@@ -1,0 +1,29 @@
+// The order in which people meet the built-in scenes.
+// Must not know: what is in them.
+#include <algorithm>
+#include <vector>
+
+#include "core/embedded_scenes.h"
+
+namespace tyg {
+namespace {
+
+std::vector<BuiltinScene> inOrder() {
+  const std::span<const BuiltinScene> embedded = embeddedScenes();
+  std::vector<BuiltinScene> scenes(embedded.begin(), embedded.end());
+  const auto earlier = [](const BuiltinScene& a, const BuiltinScene& b) {
+    const bool aFirst = a.name == "curtain", bFirst = b.name == "curtain";
+    return aFirst != bFirst ? aFirst : a.name < b.name;
+  };
+  std::sort(scenes.begin(), scenes.end(), earlier);
+  return scenes;
+}
+
+}  // namespace
+
+std::span<const BuiltinScene> builtinScenes() {
+  static const std::vector<BuiltinScene> kScenes = inOrder();
+  return kScenes;
+}
+
+}  // namespace tyg

@@ -1,0 +1,53 @@
+// The same cloth on another grid.
+// Must not know: files, simulations.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "tyg/scene.h"
+#include "tyg/sheet.h"
+
+namespace tyg {
+namespace {
+
+std::string gridText(int columns, int rows) { return std::to_string(columns) + 'x' + std::to_string(rows); }
+
+/// The index that lies nearest to the same fraction of the way; a single column or row becomes the first.
+int scaled(int index, int oldCount, int newCount) {
+  if (oldCount == 1) return 0;
+  return static_cast<int>(std::lround(double(index) * (newCount - 1) / (oldCount - 1)));
+}
+
+}  // namespace
+
+Scene withSheet(Scene scene, int columns, int rows) {
+  if (columns < 1 || rows < 1 || columns > kLargestCount || rows > kLargestCount) {
+    throw InputError("sheet: found " + gridText(columns, rows) + ", allowed 1x1 to " +
+                     gridText(kLargestCount, kLargestCount));
+  }
+  if (columns == scene.columns && rows == scene.rows) return scene;
+  const int oldLongest = std::max(scene.columns, scene.rows), newLongest = std::max(columns, rows);
+  if (oldLongest == 1 || newLongest == 1) {
+    throw InputError("sheet: found " + gridText(scene.columns, scene.rows) + " to be made " + gridText(columns, rows) +
+                     ", allowed sheets of at least two particles: a single one has no size to keep");
+  }
+
+  const auto rescale = [&](Place& place) {
+    if (!place.name.empty()) return;
+    place.column = scaled(place.column, scene.columns, columns);
+    place.row = scaled(place.row, scene.rows, rows);
+  };
+  for (Place& pin : scene.pins) rescale(pin);
+  for (Displacement& displacement : scene.displacements) rescale(displacement.particle);
+  for (Push& push : scene.pushes) rescale(push.particle);
+
+  const double oldCount = double(scene.columns) * scene.rows, newCount = double(columns) * rows;
+  scene.spacing *= double(oldLongest - 1) / (newLongest - 1);
+  scene.particleMass *= oldCount / newCount;
+  scene.drag *= oldCount / newCount;
+  scene.columns = columns;
+  scene.rows = rows;
+  return scene;
+}
+
+}  // namespace tyg

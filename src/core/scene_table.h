@@ -1,0 +1,66 @@
+// One table of a scene file: gives out each key once, checked, and refuses what nobody asked for.
+// Must not know: which keys a scene has.
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <toml++/toml.h>
+
+#include "tyg/sheet.h"
+
+namespace tyg {
+
+enum class Range { Any, NotNegative, Positive };
+
+/// Every reader leaves `out` as it is where the key is absent, and throws InputError (file, line, key, found, allowed)
+/// where the value is wrong.
+class SceneTable {
+ public:
+  /// `table` and `file` must outlive this object. `prefix` stands before every key in messages: "" or "sheet.".
+  SceneTable(const toml::table& table, std::string prefix, const std::string& file);
+
+  void text(std::string_view key, std::string& out);
+  void integer(std::string_view key, int& out, int lowest, int highest);
+  void number(std::string_view key, double& out, Range range);
+  void vector(std::string_view key, Vec3& out);
+  /// The index of one of `names`.
+  std::optional<std::size_t> oneOf(std::string_view key, std::span<const std::string_view> names);
+  /// As oneOf, for an enumeration that counts up from 0 in the order of `names`.
+  template <class Enumeration>
+  void choice(std::string_view key, Enumeration& out, std::initializer_list<std::string_view> names) {
+    if (const auto index = oneOf(key, std::span(names.begin(), names.size()))) out = static_cast<Enumeration>(*index);
+  }
+  void particle(std::string_view key, const Sheet& sheet, Place& out);
+  void particleSets(std::string_view key, const Sheet& sheet, std::vector<Place>& out);
+  std::optional<SceneTable> table(std::string_view key);
+  std::vector<SceneTable> tables(std::string_view key);
+
+  [[nodiscard]] bool has(std::string_view key) const { return table_->contains(key); }
+  /// To be called when every key has been asked for: refuses the others, then the absence of a required one.
+  void finish(std::initializer_list<std::string_view> required = {}) const;
+  /// For mistakes that involve more than one key: `key` names the line.
+  [[noreturn]] void refuse(std::string_view key, const std::string& found, const std::string& allowed) const;
+
+ private:
+  struct Asked {
+    std::string_view key;
+    std::string allowed;
+  };
+  const toml::node* ask(std::string_view key, std::string allowed);
+  [[noreturn]] void refuseValue(const toml::node& value) const;
+  [[noreturn]] void refuseLine(const toml::node& value, const std::string& foundAndAllowed) const;
+  [[nodiscard]] Place place(const toml::node& value) const;
+  [[nodiscard]] SceneTable inner(std::string_view key, const toml::node& value) const;
+
+  const toml::table* table_;
+  std::string prefix_;
+  const std::string* file_;
+  std::vector<Asked> asked_;  ///< the last one is being read
+};
+
+}  // namespace tyg
