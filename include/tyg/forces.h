@@ -37,7 +37,7 @@ class Forces {
   [[nodiscard]] double inverseMass() const { return inverseMass_; }
   [[nodiscard]] const Layout& layout() const { return layout_; }
   [[nodiscard]] Workers& workers() const { return workers_; }
-  [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
+  [[nodiscard]] std::int64_t evaluations() const { return account_.evaluations; }
 
   /// Constant force on one particle (N), added to any that is there. Ignored by a pinned particle.
   void addPush(int particle, const Vec3& force);
@@ -50,9 +50,17 @@ class Forces {
   void trackDissipation(bool on) { trackDissipation_ = on; }
   /// The last evaluation counts for `seconds` in the integral of the dissipated power. Methods call it with their own
   /// quadrature weights, so that the ledger closes to the method's own order.
-  void dissipate(double seconds) { dissipated_ += seconds * power_; }
-  [[nodiscard]] double dissipated() const { return dissipated_; }  ///< J, so far
-  void setDissipated(double joules) { dissipated_ = joules; }
+  void dissipate(double seconds) { account_.dissipated += seconds * account_.power; }
+  [[nodiscard]] double dissipated() const { return account_.dissipated; }  ///< J, so far
+
+  /// What is counted along the way, to be saved and restored together with a state.
+  struct Account {
+    std::int64_t evaluations = 0;
+    double power = 0;       ///< W, at the last evaluation
+    double dissipated = 0;  ///< J
+  };
+  [[nodiscard]] const Account& account() const { return account_; }
+  void setAccount(const Account& account) { account_ = account; }
 
  private:
   struct Kernel;
@@ -67,9 +75,8 @@ class Forces {
   double inverseMass_;
   std::unique_ptr<Kernel> kernel_;
   std::vector<PushedParticle> pushes_;
-  std::int64_t evaluations_ = 0;
   bool trackDissipation_ = false;
-  double power_ = 0, dissipated_ = 0;
+  Account account_;
 };
 
 }  // namespace tyg

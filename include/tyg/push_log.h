@@ -17,9 +17,9 @@ struct LogEvent {
   std::int64_t tick = 0;
   Kind kind = Kind::Push;
   int particle = 0;         ///< Push
-  Vec3 force;               ///< Push, N
+  Vec3 force{};             ///< Push, N
   int ticks = 0;            ///< Push, how long
-  std::string method;       ///< Method
+  std::string method{};     ///< Method
   double dt = 0;            ///< Step, s
   bool operator==(const LogEvent&) const = default;
 };

@@ -39,6 +39,8 @@ struct SpringEnds {
 };
 /// Every spring of a family once: structural (c+1,r), (c,r+1); shear (c+1,r+1), (c-1,r+1); bend (c+2,r), (c,r+2).
 std::vector<SpringEnds> springsOf(const Sheet& sheet, Family family);
+/// How many springs a family has, without listing them.
+long long springCount(const Sheet& sheet, Family family);
 /// Rest length of a family's springs, m: spacing, spacing*sqrt(2), 2*spacing.
 double restLength(const Sheet& sheet, Family family);
 

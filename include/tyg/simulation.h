@@ -68,8 +68,9 @@ class Simulation {
   /// Goes on with another method or step from the next tick on, logged. Throws InputError where dt is not positive.
   void useMethod(const Method& method);
   void useStep(double dt);
-  /// Does what a log says at its ticks, from now (tick 0) on. Throws InputError where it does not fit the scene.
-  void replay(const PushLog& log);
+  /// Does at their ticks what a log says, from now (tick 0) on; `methods` is where its method names are looked up.
+  /// Throws InputError where the log does not fit this simulation.
+  void replay(const PushLog& log, std::span<const Method> methods);
 
   [[nodiscard]] double time() const;        ///< s
   [[nodiscard]] std::int64_t ticks() const; ///< calls of tick() so far
@@ -101,9 +102,7 @@ class Simulation {
   void restore(const Snapshot& snapshot);
 
  private:
-  class Body;
-  template <class T>
-  class BodyOf;
+  struct Body;
   std::unique_ptr<Body> body_;
 };
 

@@ -1,7 +1,6 @@
 // A few threads that share out the rows of a sheet. With one thread it is a plain call.
 #pragma once
 
-#include <functional>
 #include <memory>
 
 namespace tyg {
@@ -16,11 +15,29 @@ class Workers {
   Workers& operator=(const Workers&) = delete;
 
   [[nodiscard]] int threads() const { return threads_; }
-  /// Calls `work(first, last, thread)` for contiguous bands that together cover [0, rows), and returns when all are done.
-  void forBands(int rows, const std::function<void(int first, int last, int thread)>& work);
+
+  /// Calls `work(first, last, thread)` for contiguous bands that together cover [0, rows), thread by thread, and returns
+  /// when all are done. Allocates nothing.
+  template <class Work>
+  void forBands(int rows, const Work& work) {
+    if (threads_ == 1) {
+      work(0, rows, 0);
+    } else {
+      share({rows, &work, [](const void* w, int first, int last, int thread) {
+               (*static_cast<const Work*>(w))(first, last, thread);
+             }});
+    }
+  }
 
  private:
+  struct Job {
+    int rows = 0;
+    const void* work = nullptr;
+    void (*call)(const void* work, int first, int last, int thread) = nullptr;
+  };
   struct Pool;
+  void share(const Job& job);
+
   int threads_;
   std::unique_ptr<Pool> pool_;
 };

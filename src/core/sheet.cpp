@@ -126,6 +126,15 @@ std::vector<SpringEnds> springsOf(const Sheet& sheet, Family family) {
   return springs;
 }
 
+long long springCount(const Sheet& sheet, Family family) {
+  long long count = 0;
+  for (const GridStep& step : gridSteps(family)) {
+    count += static_cast<long long>(std::max(0, sheet.columns - std::abs(step.columns))) *
+             std::max(0, sheet.rows - step.rows);
+  }
+  return count;
+}
+
 double restLength(const Sheet& sheet, Family family) {
   switch (family) {
     case Family::Structural:

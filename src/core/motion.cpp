@@ -1,0 +1,84 @@
+// See motion.h.
+#include "core/motion.h"
+
+#include "tyg/workers.h"
+
+namespace tyg {
+namespace {
+
+template <class T>
+class MotionOf final : public Motion {
+ public:
+  MotionOf(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers, bool trackDissipation)
+      : state_(startState<T>(sheet)),
+        forces_(scene, sheet, workers),
+        integrator_(method.make<T>(forces_.layout())) {
+    forces_.trackDissipation(trackDissipation);
+    for (const Displacement& displacement : scene.displacements) {
+      const int particle = particleAt(sheet, displacement.particle);
+      const Vec3 from = state_.position.get(particle), by = displacement.by;
+      state_.position.set(particle, {from.x + by.x, from.y + by.y, from.z + by.z});
+    }
+  }
+
+  void useMethod(const Method& method) override { integrator_ = method.make<T>(forces_.layout()); }
+  void step(double h) override { integrator_->step(forces_, state_, h); }
+  void clearPushes() override { forces_.clearPushes(); }
+  void addPush(int particle, const Vec3& force) override { forces_.addPush(particle, force); }
+  void reset() override { integrator_->reset(); }
+
+  [[nodiscard]] StoredEnergy energy() const override { return forces_.energy(state_); }
+  [[nodiscard]] double dissipated() const override { return forces_.dissipated(); }
+  [[nodiscard]] std::int64_t evaluations() const override { return forces_.evaluations(); }
+  [[nodiscard]] Vec3 position(int particle) const override { return state_.position.get(particle); }
+  [[nodiscard]] Vec3 velocity(int particle) const override { return state_.velocity.get(particle); }
+  [[nodiscard]] std::uint64_t hash() const override { return hashOf(state_); }
+
+  void copyPositions(std::span<float> xyz) const override {
+    const Layout& layout = forces_.layout();
+    const T *x = state_.position.x(), *y = state_.position.y(), *z = state_.position.z();
+    float* out = xyz.data();
+    for (int row = 0; row < layout.rows; ++row) {
+      for (std::ptrdiff_t i = row * layout.stride; i < row * layout.stride + layout.columns; ++i) {
+        *out++ = float(x[i]), *out++ = float(y[i]), *out++ = float(z[i]);
+      }
+    }
+  }
+
+  [[nodiscard]] std::unique_ptr<Moment> save() const override {
+    auto moment = std::make_unique<MomentOf>();
+    moment->state = state_;
+    moment->integrator = integrator_->clone();
+    moment->account = forces_.account();
+    return moment;
+  }
+  void restore(const Moment& saved) override {
+    const auto& moment = dynamic_cast<const MomentOf&>(saved);
+    state_ = moment.state;
+    integrator_ = moment.integrator->clone();
+    forces_.setAccount(moment.account);
+  }
+
+ private:
+  struct MomentOf final : Moment {
+    State<T> state;
+    std::unique_ptr<Integrator<T>> integrator;
+    typename Forces<T>::Account account;
+  };
+
+  State<T> state_;
+  Forces<T> forces_;
+  std::unique_ptr<Integrator<T>> integrator_;
+};
+
+}  // namespace
+
+std::unique_ptr<Motion> makeMotion(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers,
+                                   bool trackDissipation) {
+  if (scene.precision == Precision::Float) {
+    return std::make_unique<MotionOf<float>>(scene, sheet, method, workers, trackDissipation);
+  }
+  return std::make_unique<MotionOf<double>>(scene, sheet, method, workers, trackDissipation);
+}
+
+}  // namespace tyg

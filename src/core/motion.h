@@ -1,0 +1,44 @@
+// The half of a simulation that depends on the precision: state, forces and integrator behind one virtual interface.
+// Must not know: stop times, pushes over time, alarms.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "tyg/integrator.h"
+#include "tyg/scene.h"
+
+namespace tyg {
+
+class Motion {
+ public:
+  /// Everything that moves, copied; the precision is known to its maker.
+  struct Moment {
+    virtual ~Moment() = default;
+  };
+
+  virtual ~Motion() = default;
+  virtual void useMethod(const Method& method) = 0;
+  virtual void step(double h) = 0;
+  virtual void clearPushes() = 0;
+  virtual void addPush(int particle, const Vec3& force) = 0;
+  /// To be called after any edit of pushes or state.
+  virtual void reset() = 0;
+
+  [[nodiscard]] virtual StoredEnergy energy() const = 0;
+  [[nodiscard]] virtual double dissipated() const = 0;
+  [[nodiscard]] virtual std::int64_t evaluations() const = 0;
+  [[nodiscard]] virtual Vec3 position(int particle) const = 0;
+  [[nodiscard]] virtual Vec3 velocity(int particle) const = 0;
+  virtual void copyPositions(std::span<float> xyz) const = 0;
+  [[nodiscard]] virtual std::uint64_t hash() const = 0;
+
+  [[nodiscard]] virtual std::unique_ptr<Moment> save() const = 0;
+  virtual void restore(const Moment& moment) = 0;
+};
+
+/// The motion of a scene from its displaced start shape. `workers` must outlive it.
+std::unique_ptr<Motion> makeMotion(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers,
+                                   bool trackDissipation);
+
+}  // namespace tyg

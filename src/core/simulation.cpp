@@ -1,0 +1,410 @@
+// Time: stop times and ticks, pushes that begin and end, the alarm, the log. What moves is in motion.cpp.
+#include "tyg/simulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "core/alarm.h"
+#include "core/motion.h"
+#include "tyg/workers.h"
+
+namespace tyg {
+namespace {
+
+constexpr std::int64_t kStepsBetweenLooks = 64;
+constexpr double kSameTime = 1e-9;  // of dt: stop times closer than this are one
+
+double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+
+/// A push of the scene, between two times, or one by hand, during whole ticks.
+struct TimedPush {
+  int particle = 0;
+  Vec3 force;
+  double begin = 0, end = 0;              ///< s, of the scene
+  std::int64_t firstTick = 0, endTick = 0;  ///< by hand
+  bool byHand = false;
+  bool acting = false;
+  Vec3 from;  ///< where the particle was when the push began to act
+};
+
+/// Sum over springs of ks (0.01 L0)^2 / 2: the energy of a sheet stretched by a hundredth.
+double hundredthStretch(const Scene& scene, const Sheet& sheet) {
+  const auto ofFamily = [&](const SpringFamily& springs, Family family) {
+    const double elongation = 0.01 * restLength(sheet, family);
+    return double(springCount(sheet, family)) * springs.ks * elongation * elongation / 2;
+  };
+  return ofFamily(scene.structural, Family::Structural) + ofFamily(scene.shear, Family::Shear) +
+         ofFamily(scene.bend, Family::Bend);
+}
+
+/// A first-order method in free fall is ahead of the truth by n/2 of these after n steps, with nothing else to compare
+/// it to while n is small: five of them keep the alarm quiet over the first steps, and are nothing later.
+double firstSteps(const Scene& scene, const Sheet& sheet) {
+  return 5 * sheet.count() * sheet.particleMass * dot(scene.gravity, scene.gravity) * scene.dt * scene.dt;
+}
+
+Alarm makeAlarm(const Scene& scene, const Sheet& sheet, const StoredEnergy& start) {
+  return {hundredthStretch(scene, sheet) + firstSteps(scene, sheet), start.kinetic + start.elastic};
+}
+
+void refuseUnfitLog(const PushLog& log, const PushLog& own) {
+  const auto size = [](const PushLog& l) { return std::to_string(l.columns) + "x" + std::to_string(l.rows); };
+  if (size(log) != size(own)) {
+    throw InputError("replay: found a log of a " + size(log) + " sheet, allowed: one of this " + size(own) + " sheet");
+  }
+  if (log.precision != own.precision || log.integrator != own.integrator || log.dt != own.dt) {
+    throw InputError("replay: found a log with another integrator, step or precision; allowed: the same as here");
+  }
+  for (const LogEvent& event : log.events) {
+    if (event.kind == LogEvent::Kind::Push && (event.particle < 0 || event.particle >= own.columns * own.rows)) {
+      throw InputError("replay: found a push on particle " + std::to_string(event.particle) + ", allowed: 0 to " +
+                       std::to_string(own.columns * own.rows - 1));
+    }
+  }
+}
+
+}  // namespace
+
+std::string_view nameOf(Status status) {
+  switch (status) {
+    case Status::Ok: return "ok";
+    case Status::Unstable: return "unstable";
+    default: return "not-finite";
+  }
+}
+
+namespace {
+
+/// Everything that a run remembers besides what moves: a regular type, so that a snapshot is a copy.
+struct Run {
+  explicit Run(const Alarm& quietAlarm) : alarm(quietAlarm) {}
+
+  const Method* method = nullptr;
+  double time = 0, dt = 0, largestStep = 0;
+  std::int64_t ticks = 0, steps = 0;
+  double tickBaseTime = 0;  // tick k begins at tickBaseTime + (k - tickBase) * dt
+  std::int64_t tickBase = 0;
+
+  std::vector<TimedPush> pushes;
+  double finishedWork = 0;  // J, of pushes that have ended
+
+  Alarm alarm;
+  Status status = Status::Ok;
+  double alarmTime = std::numeric_limits<double>::quiet_NaN();
+  double maxStretch = 0;
+  double startHeight = 0;  // J, gravitational energy of the start shape
+  double startSum = 0;     // J, of the ledger
+
+  PushLog log;
+  std::vector<LogEvent> script;  // of a replay, ascending ticks
+  std::size_t scriptNext = 0;
+};
+
+}  // namespace
+
+struct Simulation::Body {
+  Scene scene;
+  Sheet sheet;
+  Settings settings;
+  Workers workers;
+  std::unique_ptr<Motion> motion;
+  std::optional<Run> runStorage;
+  std::span<const Method> replayMethods;
+  std::function<bool()> observer;
+  bool stopAsked = false;
+
+  Body(const Scene& wanted, const Method& method, const Settings& asked)
+      : scene(wanted),
+        sheet(makeSheet(scene)),
+        settings(asked),
+        workers(asked.threads > 0 ? asked.threads : defaultThreads(sheet.count())),
+        motion(makeMotion(scene, sheet, method, workers, asked.ledger)) {
+    const StoredEnergy start = motion->energy();
+    runStorage.emplace(makeAlarm(scene, sheet, start));
+    Run& r = run();
+    r.method = &method;
+    r.dt = scene.dt;
+    r.startHeight = start.gravitational;
+    r.startSum = start.kinetic + start.elastic;
+    for (const Push& push : scene.pushes) {
+      TimedPush timed;
+      timed.particle = particleAt(sheet, push.particle);
+      timed.force = push.force;
+      timed.begin = push.at;
+      timed.end = push.at + push.duration;
+      r.pushes.push_back(timed);
+    }
+    r.log = {scene.name, sheet.columns, sheet.rows, std::string(method.name), scene.dt, scene.precision, 0, {}, {}};
+    look();
+  }
+
+  Run& run() { return *runStorage; }
+  [[nodiscard]] const Run& run() const { return *runStorage; }
+
+  [[nodiscard]] double work() const {
+    double sum = run().finishedWork;
+    for (const TimedPush& push : run().pushes) {
+      if (push.acting) sum += dot(push.force, motion->position(push.particle) - push.from);
+    }
+    return sum;
+  }
+
+  StoredEnergy look() {
+    Run& r = run();
+    StoredEnergy energy = motion->energy();
+    energy.gravitational -= r.startHeight;
+    r.maxStretch = std::max(r.maxStretch, energy.maxStretch);
+    const Status now = r.alarm.look(energy.kinetic, energy.elastic, energy.gravitational, work());
+    if (now != Status::Ok && r.status == Status::Ok) r.alarmTime = r.time;
+    r.status = std::max(r.status, now);
+    return energy;
+  }
+
+  [[nodiscard]] bool standing() const { return stopAsked || (run().status != Status::Ok && !settings.keepGoing); }
+
+  void step(double h, double timeAfter) {
+    Run& r = run();
+    motion->step(h);
+    r.time = timeAfter;
+    r.largestStep = std::max(r.largestStep, h);
+    if (++r.steps % kStepsBetweenLooks == 0) {
+      look();
+      if (observer && !observer()) stopAsked = true;
+    }
+  }
+
+  [[nodiscard]] bool shouldAct(const TimedPush& push) const {
+    const Run& r = run();
+    if (push.byHand) return push.firstTick <= r.ticks && r.ticks < push.endTick;
+    const double soon = r.time + kSameTime * r.dt;
+    return push.begin <= soon && soon < push.end;
+  }
+
+  /// Lets pushes begin and end that do so now; where any does, the force jumps.
+  void switchPushes() {
+    Run& r = run();
+    bool jump = false;
+    for (TimedPush& push : r.pushes) {
+      if (shouldAct(push) == push.acting) continue;
+      jump = true;
+      const Vec3 here = motion->position(push.particle);
+      if (push.acting) r.finishedWork += dot(push.force, here - push.from);
+      push.from = here;
+      push.acting = !push.acting;
+    }
+    if (!jump) return;
+    applyPushes();
+    motion->reset();
+    std::erase_if(r.pushes, [&](const TimedPush& push) { return push.byHand && push.endTick <= r.ticks; });
+  }
+
+  void applyPushes() const {
+    motion->clearPushes();
+    for (const TimedPush& push : run().pushes) {
+      if (push.acting) motion->addPush(push.particle, push.force);
+    }
+  }
+
+  /// The first edge of a scene's push after now, or `end` where none comes before it.
+  [[nodiscard]] double nextStop(double end) const {
+    const Run& r = run();
+    const double tolerance = kSameTime * r.dt;
+    double stop = end;
+    for (const TimedPush& push : r.pushes) {
+      if (push.byHand) continue;
+      for (const double edge : {push.begin, push.end}) {
+        if (edge > r.time + tolerance && edge < stop - tolerance) stop = edge;
+      }
+    }
+    return stop;
+  }
+
+  /// Equal steps of at most dt to the next stop.
+  void advanceSegment(double stop) {
+    Run& r = run();
+    switchPushes();
+    const double from = r.time, span = stop - from;
+    const auto count = std::max<std::int64_t>(1, std::int64_t(std::ceil(span / r.dt - kSameTime)));
+    const double h = span / double(count);
+    for (std::int64_t k = 1; k <= count && !standing(); ++k) step(h, k == count ? stop : from + double(k) * h);
+  }
+
+  void advance(double end) {
+    while (!standing() && run().time < end - kSameTime * run().dt) advanceSegment(nextStop(end));
+  }
+
+  void tick() {
+    Run& r = run();
+    playScript();
+    const double end = r.tickBaseTime + double(r.ticks + 1 - r.tickBase) * r.dt;
+    if (nextStop(end) == end) {
+      switchPushes();
+      step(r.dt, end);
+    } else {
+      advance(end);
+    }
+    r.log.ticks = ++r.ticks;
+  }
+
+  void note(LogEvent event) {
+    event.tick = run().ticks;
+    run().log.events.push_back(std::move(event));
+  }
+
+  void push(int particle, const Vec3& force, int ticks) {
+    Run& r = run();
+    TimedPush timed;
+    timed.particle = particle;
+    timed.force = force;
+    timed.firstTick = r.ticks, timed.endTick = r.ticks + ticks;
+    timed.byHand = true;
+    r.pushes.push_back(timed);
+    note({.kind = LogEvent::Kind::Push, .particle = particle, .force = force, .ticks = ticks});
+  }
+
+  void useMethod(const Method& method) {
+    run().method = &method;
+    motion->useMethod(method);
+    note({.kind = LogEvent::Kind::Method, .method = std::string(method.name)});
+  }
+
+  void useStep(double dt) {
+    Run& r = run();
+    r.tickBaseTime = r.time, r.tickBase = r.ticks;
+    r.dt = dt;
+    note({.kind = LogEvent::Kind::Step, .dt = dt});
+  }
+
+  [[nodiscard]] const Method& replayMethod(std::string_view name) const {
+    const auto found = std::find_if(replayMethods.begin(), replayMethods.end(),
+                                    [&](const Method& method) { return method.name == name; });
+    if (found == replayMethods.end()) throw InputError("replay: found the unknown method \"" + std::string(name) + "\"");
+    return *found;
+  }
+
+  void playScript() {
+    Run& r = run();
+    while (r.scriptNext < r.script.size() && r.script[r.scriptNext].tick <= r.ticks) {
+      const LogEvent event = r.script[r.scriptNext++];
+      switch (event.kind) {
+        case LogEvent::Kind::Push: push(event.particle, event.force, event.ticks); break;
+        case LogEvent::Kind::Method: useMethod(replayMethod(event.method)); break;
+        case LogEvent::Kind::Step: useStep(event.dt); break;
+      }
+    }
+  }
+};
+
+Simulation::Simulation(const Scene& scene, const Method& method, const Settings& settings)
+    : body_(std::make_unique<Body>(scene, method, settings)) {}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+void Simulation::advanceTo(double time) {
+  body_->stopAsked = false;
+  body_->advance(time);
+  body_->look();
+  Run& run = body_->run();
+  run.tickBaseTime = run.time, run.tickBase = run.ticks;
+}
+
+void Simulation::tick() {
+  body_->stopAsked = false;
+  if (!body_->standing()) body_->tick();
+}
+
+void Simulation::observe(std::function<bool()> observer) { body_->observer = std::move(observer); }
+
+void Simulation::push(int particle, const Vec3& force, int ticks) {
+  if (particle < 0 || particle >= body_->sheet.count() || ticks < 1) {
+    throw InputError("push: found particle " + std::to_string(particle) + " for " + std::to_string(ticks) +
+                     " ticks, allowed: particle 0 to " + std::to_string(body_->sheet.count() - 1) +
+                     ", at least one tick");
+  }
+  body_->push(particle, force, ticks);
+}
+
+void Simulation::useMethod(const Method& method) { body_->useMethod(method); }
+
+void Simulation::useStep(double dt) {
+  if (!(dt > 0) || !std::isfinite(dt)) throw InputError("dt: found " + std::to_string(dt) + ", allowed: above 0");
+  body_->useStep(dt);
+}
+
+void Simulation::replay(const PushLog& log, std::span<const Method> methods) {
+  refuseUnfitLog(log, body_->run().log);
+  body_->replayMethods = methods;
+  for (const LogEvent& event : log.events) {
+    if (event.kind == LogEvent::Kind::Method) (void)body_->replayMethod(event.method);
+  }
+  body_->run().script = log.events;
+  body_->run().scriptNext = 0;
+}
+
+double Simulation::time() const { return body_->run().time; }
+std::int64_t Simulation::ticks() const { return body_->run().ticks; }
+double Simulation::dt() const { return body_->run().dt; }
+double Simulation::largestStep() const { return body_->run().largestStep; }
+std::int64_t Simulation::steps() const { return body_->run().steps; }
+std::int64_t Simulation::forceEvaluations() const { return body_->motion->evaluations(); }
+int Simulation::threads() const { return body_->workers.threads(); }
+const Scene& Simulation::scene() const { return body_->scene; }
+const Sheet& Simulation::sheet() const { return body_->sheet; }
+const Method& Simulation::method() const { return *body_->run().method; }
+const PushLog& Simulation::log() const { return body_->run().log; }
+Vec3 Simulation::position(int particle) const { return body_->motion->position(particle); }
+Vec3 Simulation::velocity(int particle) const { return body_->motion->velocity(particle); }
+void Simulation::copyPositions(std::span<float> xyz) const { body_->motion->copyPositions(xyz); }
+std::uint64_t Simulation::hash() const { return body_->motion->hash(); }
+Status Simulation::status() const { return body_->run().status; }
+double Simulation::alarmTime() const { return body_->run().alarmTime; }
+
+Ledger Simulation::ledger() {
+  const StoredEnergy energy = body_->look();
+  const Run& run = body_->run();
+  Ledger ledger;
+  ledger.kinetic = energy.kinetic;
+  ledger.elastic = energy.elastic;
+  ledger.gravitational = energy.gravitational;
+  ledger.work = body_->work();
+  ledger.dissipated = body_->motion->dissipated();
+  ledger.scale = run.alarm.scale();
+  ledger.maxStretch = run.maxStretch;
+  if (body_->settings.ledger) {
+    const double sum = energy.kinetic + energy.elastic + energy.gravitational + ledger.dissipated - ledger.work;
+    ledger.drift = (sum - run.startSum) / ledger.scale;
+  }
+  return ledger;
+}
+
+Status Simulation::check() {
+  body_->look();
+  return status();
+}
+
+namespace {
+struct SavedBody {
+  Run run;
+  std::unique_ptr<Motion::Moment> moment;
+};
+}  // namespace
+
+Snapshot Simulation::save() const {
+  Snapshot snapshot;
+  snapshot.time_ = time();
+  snapshot.body_ = std::make_shared<const SavedBody>(SavedBody{body_->run(), body_->motion->save()});
+  return snapshot;
+}
+
+void Simulation::restore(const Snapshot& snapshot) {
+  const auto& saved = *static_cast<const SavedBody*>(snapshot.body_.get());
+  body_->run() = saved.run;
+  body_->motion->restore(*saved.moment);
+  body_->applyPushes();
+}
+
+}  // namespace tyg

@@ -1,0 +1,90 @@
+// Bands of rows on threads: one generation counter starts a job, one counter of finished bands ends it.
+#include "tyg/workers.h"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <vector>
+
+namespace tyg {
+namespace {
+
+// Long enough to bridge the serial code between two evaluations, short enough to cost an idle machine nothing.
+constexpr int kSpins = 2000;
+
+void pauseBriefly() {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#endif
+}
+
+/// Returns once `value` differs from `old`.
+template <class T>
+void awaitChange(const std::atomic<T>& value, T old) {
+  for (int spin = 0; spin < kSpins; ++spin) {
+    if (value.load(std::memory_order_acquire) != old) return;
+    pauseBriefly();
+  }
+  value.wait(old, std::memory_order_acquire);
+}
+
+}  // namespace
+
+struct Workers::Pool {
+  Job job;
+  std::atomic<unsigned> generation{0};
+  std::atomic<int> unfinished{0};
+  std::atomic<bool> ending{false};
+  std::vector<std::jthread> threads;
+
+  void doBand(int thread, int count) const {
+    const auto edge = [&](int k) { return int(static_cast<long long>(job.rows) * k / count); };
+    job.call(job.work, edge(thread), edge(thread + 1), thread);
+  }
+
+  void serve(int thread, int count) {
+    unsigned seen = 0;
+    while (true) {
+      awaitChange(generation, seen);
+      ++seen;
+      if (ending.load(std::memory_order_relaxed)) return;
+      doBand(thread, count);
+      if (unfinished.fetch_sub(1, std::memory_order_acq_rel) == 1) unfinished.notify_one();
+    }
+  }
+};
+
+Workers::Workers(int threads) : threads_(std::max(1, threads)) {
+  if (threads_ == 1) return;
+  pool_ = std::make_unique<Pool>();
+  for (int k = 1; k < threads_; ++k) {
+    pool_->threads.emplace_back([pool = pool_.get(), k, count = threads_] { pool->serve(k, count); });
+  }
+}
+
+Workers::~Workers() {
+  if (!pool_) return;
+  pool_->ending = true;
+  ++pool_->generation;
+  pool_->generation.notify_all();
+}
+
+void Workers::share(const Job& job) {
+  pool_->job = job;
+  pool_->unfinished.store(threads_ - 1, std::memory_order_relaxed);
+  pool_->generation.fetch_add(1, std::memory_order_release);
+  pool_->generation.notify_all();
+  pool_->doBand(0, threads_);
+  for (int left = pool_->unfinished.load(std::memory_order_acquire); left > 0;
+       left = pool_->unfinished.load(std::memory_order_acquire)) {
+    awaitChange(pool_->unfinished, left);
+  }
+}
+
+int defaultThreads(int particles) {
+  constexpr int kWorthASecondThread = 128 * 128;
+  if (particles < kWorthASecondThread) return 1;
+  return std::max(1, int(std::thread::hardware_concurrency()));
+}
+
+}  // namespace tyg

@@ -1,0 +1,41 @@
+// Explicit Euler (Euler 1768): position and velocity both move with what they were at the start of the step.
+#include "integrators/factories.h"
+#include "core/field_ops.h"
+
+namespace tyg {
+namespace {
+
+template <class T>
+class ExplicitEuler final : public Integrator<T> {
+ public:
+  explicit ExplicitEuler(const Layout& layout) : force_(layout) {}
+
+  void step(Forces<T>& forces, State<T>& state, double h) override {
+    forces.evaluate(state.position, state.velocity, force_);
+    forces.dissipate(h);
+    const T step = T(h), kick = T(h * forces.inverseMass());
+    T *x = state.position.x(), *v = state.velocity.x();
+    const T* f = force_.x();
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
+      for (std::ptrdiff_t i = begin; i < end; ++i) {
+        x[i] += step * v[i];
+        v[i] += kick * f[i];
+      }
+    });
+  }
+  [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<ExplicitEuler>(*this); }
+
+ private:
+  VectorField<T> force_;
+};
+
+}  // namespace
+
+template <class T>
+std::unique_ptr<Integrator<T>> makeExplicitEuler(const Layout& layout) {
+  return std::make_unique<ExplicitEuler<T>>(layout);
+}
+template std::unique_ptr<Integrator<float>> makeExplicitEuler(const Layout&);
+template std::unique_ptr<Integrator<double>> makeExplicitEuler(const Layout&);
+
+}  // namespace tyg

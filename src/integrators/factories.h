@@ -1,0 +1,28 @@
+// What the table of methods needs from each method's file: how to make one, and its largest stable step.
+#pragma once
+
+#include <memory>
+
+#include "tyg/integrator.h"
+
+namespace tyg {
+
+template <class T>
+std::unique_ptr<Integrator<T>> makeExplicitEuler(const Layout& layout);
+template <class T>
+std::unique_ptr<Integrator<T>> makeSymplecticEuler(const Layout& layout);
+template <class T>
+std::unique_ptr<Integrator<T>> makeReportRk4(const Layout& layout);
+template <class T>
+std::unique_ptr<Integrator<T>> makeLeapfrog(const Layout& layout);
+template <class T>
+std::unique_ptr<Integrator<T>> makeRk4(const Layout& layout);
+
+// Largest stable step in s for the mode x'' + d x' + w2 x = 0: infinite where every step is stable, 0 where none is.
+double stableStepExplicitEuler(double w2, double d);
+double stableStepSymplecticEuler(double w2, double d);
+double stableStepReportRk4(double w2, double d);
+double stableStepLeapfrog(double w2, double d);
+double stableStepRk4(double w2, double d);
+
+}  // namespace tyg

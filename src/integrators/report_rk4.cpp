@@ -1,0 +1,34 @@
+// The 2017 report's Runge-Kutta as printed, for the velocity with f = a and then for the position with f = the new
+// velocity: symplectic Euler with a longer step. First order; kept because the report ran it.
+#include "integrators/report_rk4.h"
+
+#include "integrators/factories.h"
+#include "integrators/kick_and_drift.h"
+
+namespace tyg {
+namespace {
+
+template <class T>
+class ReportRk4 final : public Integrator<T> {
+ public:
+  explicit ReportRk4(const Layout& layout) : force_(layout) {}
+
+  void step(Forces<T>& forces, State<T>& state, double h) override {
+    kickAndDrift(forces, state, force_, reportRk4Step(h));
+  }
+  [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<ReportRk4>(*this); }
+
+ private:
+  VectorField<T> force_;
+};
+
+}  // namespace
+
+template <class T>
+std::unique_ptr<Integrator<T>> makeReportRk4(const Layout& layout) {
+  return std::make_unique<ReportRk4<T>>(layout);
+}
+template std::unique_ptr<Integrator<float>> makeReportRk4(const Layout&);
+template std::unique_ptr<Integrator<double>> makeReportRk4(const Layout&);
+
+}  // namespace tyg

@@ -1,0 +1,31 @@
+// Symplectic Euler (de Vogelaere 1956): the new velocity moves the position. The 2017 report's own Euler.
+#include "integrators/factories.h"
+#include "integrators/kick_and_drift.h"
+
+namespace tyg {
+namespace {
+
+template <class T>
+class SymplecticEuler final : public Integrator<T> {
+ public:
+  explicit SymplecticEuler(const Layout& layout) : force_(layout) {}
+
+  void step(Forces<T>& forces, State<T>& state, double h) override { kickAndDrift(forces, state, force_, h); }
+  [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override {
+    return std::make_unique<SymplecticEuler>(*this);
+  }
+
+ private:
+  VectorField<T> force_;
+};
+
+}  // namespace
+
+template <class T>
+std::unique_ptr<Integrator<T>> makeSymplecticEuler(const Layout& layout) {
+  return std::make_unique<SymplecticEuler<T>>(layout);
+}
+template std::unique_ptr<Integrator<float>> makeSymplecticEuler(const Layout&);
+template std::unique_ptr<Integrator<double>> makeSymplecticEuler(const Layout&);
+
+}  // namespace tyg
