@@ -34,15 +34,15 @@ struct Method {
   /// Largest stable step in seconds for the mode x'' + d x' + w2 x = 0 (w2 in 1/s2, d in 1/s, both >= 0): infinite where
   /// every step is stable, 0 where none is. Null where the method has no limit at all.
   double (*stableStep)(double w2, double d);
-  std::unique_ptr<Integrator<float>> (*makeFloat)(const Layout&);
-  std::unique_ptr<Integrator<double>> (*makeDouble)(const Layout&);
+  std::unique_ptr<Integrator<float>> (*makeFloat)(const Scene& scene, const Sheet& sheet);
+  std::unique_ptr<Integrator<double>> (*makeDouble)(const Scene& scene, const Sheet& sheet);
 
   template <class T>
-  [[nodiscard]] std::unique_ptr<Integrator<T>> make(const Layout& layout) const {
+  [[nodiscard]] std::unique_ptr<Integrator<T>> make(const Scene& scene, const Sheet& sheet) const {
     if constexpr (sizeof(T) == sizeof(float)) {
-      return makeFloat(layout);
+      return makeFloat(scene, sheet);
     } else {
-      return makeDouble(layout);
+      return makeDouble(scene, sheet);
     }
   }
 };

@@ -20,7 +20,7 @@ struct Layout {
   std::ptrdiff_t plane = 0;   ///< numbers from one component to the next
 
   Layout() = default;
-  Layout(int columns, int rows);
+  explicit Layout(const Sheet& sheet);
   [[nodiscard]] std::ptrdiff_t at(int particle) const {
     return (particle / columns) * stride + particle % columns;
   }

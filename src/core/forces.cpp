@@ -57,7 +57,7 @@ struct Forces<T>::Kernel {
 
 template <class T>
 Forces<T>::Forces(const Scene& scene, const Sheet& sheet, Workers& workers)
-    : layout_(sheet.columns, sheet.rows),
+    : layout_(sheet),
       workers_(workers),
       inverseMass_(1.0 / sheet.particleMass),
       kernel_(std::make_unique<Kernel>()) {
@@ -71,7 +71,8 @@ Forces<T>::Forces(const Scene& scene, const Sheet& sheet, Workers& workers)
   k.particleMass = sheet.particleMass;
 
   RowBand<T>& band = k.band;
-  band.width = int(layout_.stride) - Layout::kLanes;
+  constexpr int kVector = 64 / sizeof(T);  // numbers in the widest vector register
+  band.width = (layout_.columns + kVector - 1) / kVector * kVector;
   band.rows = layout_.rows;
   band.stride = layout_.stride, band.plane = layout_.plane;
   band.hasRight = k.hasRight.data(), band.hasRight2 = k.hasRight2.data(), band.isFree = k.isFree.data();

@@ -10,9 +10,11 @@ template <class T>
 class MotionOf final : public Motion {
  public:
   MotionOf(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers, bool trackDissipation)
-      : state_(startState<T>(sheet)),
+      : scene_(scene),
+        sheet_(sheet),
+        state_(startState<T>(sheet)),
         forces_(scene, sheet, workers),
-        integrator_(method.make<T>(forces_.layout())) {
+        integrator_(method.make<T>(scene, sheet)) {
     forces_.trackDissipation(trackDissipation);
     for (const Displacement& displacement : scene.displacements) {
       const int particle = particleAt(sheet, displacement.particle);
@@ -21,7 +23,7 @@ class MotionOf final : public Motion {
     }
   }
 
-  void useMethod(const Method& method) override { integrator_ = method.make<T>(forces_.layout()); }
+  void useMethod(const Method& method) override { integrator_ = method.make<T>(scene_, sheet_); }
   void step(double h) override { integrator_->step(forces_, state_, h); }
   void clearPushes() override { forces_.clearPushes(); }
   void addPush(int particle, const Vec3& force) override { forces_.addPush(particle, force); }
@@ -66,6 +68,8 @@ class MotionOf final : public Motion {
     typename Forces<T>::Account account;
   };
 
+  const Scene& scene_;
+  const Sheet& sheet_;
   State<T> state_;
   Forces<T> forces_;
   std::unique_ptr<Integrator<T>> integrator_;

@@ -37,7 +37,7 @@ class Motion {
   virtual void restore(const Moment& moment) = 0;
 };
 
-/// The motion of a scene from its displaced start shape. `workers` must outlive it.
+/// The motion of a scene from its displaced start shape. The references must outlive it.
 std::unique_ptr<Motion> makeMotion(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers,
                                    bool trackDissipation);
 

@@ -27,7 +27,7 @@ struct SpringLaw {
 /// A band of rows to work on. Arrays are planes x, y, z, `plane` numbers apart, rows `stride` apart.
 template <class T>
 struct RowBand {
-  int width = 0;                   ///< columns rounded up to whole vectors
+  int width = 0;                   ///< columns rounded up to whole vectors of this precision
   int rows = 0;                    ///< of the sheet
   int first = 0, last = 0;         ///< rows [first, last) are computed
   std::ptrdiff_t stride = 0, plane = 0;

@@ -12,7 +12,7 @@ std::ptrdiff_t roundUp(std::ptrdiff_t value, std::ptrdiff_t multiple) {
 
 }  // namespace
 
-Layout::Layout(int columnCount, int rowCount) : columns(columnCount), rows(rowCount) {
+Layout::Layout(const Sheet& sheet) : columns(sheet.columns), rows(sheet.rows) {
   // One more vector of ghosts to the right lets a row read two places past its last whole vector.
   stride = roundUp(columns, kLanes) + kLanes;
   // Two ghost rows below; then planes start on different cache sets, because a row of all three is in use at once.
@@ -21,7 +21,7 @@ Layout::Layout(int columnCount, int rowCount) : columns(columnCount), rows(rowCo
 
 template <class T>
 State<T> startState(const Sheet& sheet) {
-  State<T> state(Layout(sheet.columns, sheet.rows));
+  State<T> state{Layout(sheet)};
   for (int particle = 0; particle < sheet.count(); ++particle) {
     state.position.set(particle, sheet.startPosition(particle));
   }

@@ -32,10 +32,10 @@ class ExplicitEuler final : public Integrator<T> {
 }  // namespace
 
 template <class T>
-std::unique_ptr<Integrator<T>> makeExplicitEuler(const Layout& layout) {
-  return std::make_unique<ExplicitEuler<T>>(layout);
+std::unique_ptr<Integrator<T>> makeExplicitEuler(const Scene& /*scene*/, const Sheet& sheet) {
+  return std::make_unique<ExplicitEuler<T>>(Layout(sheet));
 }
-template std::unique_ptr<Integrator<float>> makeExplicitEuler(const Layout&);
-template std::unique_ptr<Integrator<double>> makeExplicitEuler(const Layout&);
+template std::unique_ptr<Integrator<float>> makeExplicitEuler(const Scene&, const Sheet&);
+template std::unique_ptr<Integrator<double>> makeExplicitEuler(const Scene&, const Sheet&);
 
 }  // namespace tyg

@@ -8,15 +8,15 @@
 namespace tyg {
 
 template <class T>
-std::unique_ptr<Integrator<T>> makeExplicitEuler(const Layout& layout);
+std::unique_ptr<Integrator<T>> makeExplicitEuler(const Scene& scene, const Sheet& sheet);
 template <class T>
-std::unique_ptr<Integrator<T>> makeSymplecticEuler(const Layout& layout);
+std::unique_ptr<Integrator<T>> makeSymplecticEuler(const Scene& scene, const Sheet& sheet);
 template <class T>
-std::unique_ptr<Integrator<T>> makeReportRk4(const Layout& layout);
+std::unique_ptr<Integrator<T>> makeReportRk4(const Scene& scene, const Sheet& sheet);
 template <class T>
-std::unique_ptr<Integrator<T>> makeLeapfrog(const Layout& layout);
+std::unique_ptr<Integrator<T>> makeLeapfrog(const Scene& scene, const Sheet& sheet);
 template <class T>
-std::unique_ptr<Integrator<T>> makeRk4(const Layout& layout);
+std::unique_ptr<Integrator<T>> makeRk4(const Scene& scene, const Sheet& sheet);
 
 // Largest stable step in s for the mode x'' + d x' + w2 x = 0: infinite where every step is stable, 0 where none is.
 double stableStepExplicitEuler(double w2, double d);

@@ -44,10 +44,10 @@ class Leapfrog final : public Integrator<T> {
 }  // namespace
 
 template <class T>
-std::unique_ptr<Integrator<T>> makeLeapfrog(const Layout& layout) {
-  return std::make_unique<Leapfrog<T>>(layout);
+std::unique_ptr<Integrator<T>> makeLeapfrog(const Scene& /*scene*/, const Sheet& sheet) {
+  return std::make_unique<Leapfrog<T>>(Layout(sheet));
 }
-template std::unique_ptr<Integrator<float>> makeLeapfrog(const Layout&);
-template std::unique_ptr<Integrator<double>> makeLeapfrog(const Layout&);
+template std::unique_ptr<Integrator<float>> makeLeapfrog(const Scene&, const Sheet&);
+template std::unique_ptr<Integrator<double>> makeLeapfrog(const Scene&, const Sheet&);
 
 }  // namespace tyg

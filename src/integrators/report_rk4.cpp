@@ -25,10 +25,10 @@ class ReportRk4 final : public Integrator<T> {
 }  // namespace
 
 template <class T>
-std::unique_ptr<Integrator<T>> makeReportRk4(const Layout& layout) {
-  return std::make_unique<ReportRk4<T>>(layout);
+std::unique_ptr<Integrator<T>> makeReportRk4(const Scene& /*scene*/, const Sheet& sheet) {
+  return std::make_unique<ReportRk4<T>>(Layout(sheet));
 }
-template std::unique_ptr<Integrator<float>> makeReportRk4(const Layout&);
-template std::unique_ptr<Integrator<double>> makeReportRk4(const Layout&);
+template std::unique_ptr<Integrator<float>> makeReportRk4(const Scene&, const Sheet&);
+template std::unique_ptr<Integrator<double>> makeReportRk4(const Scene&, const Sheet&);
 
 }  // namespace tyg

@@ -78,10 +78,10 @@ class Rk4 final : public Integrator<T> {
 }  // namespace
 
 template <class T>
-std::unique_ptr<Integrator<T>> makeRk4(const Layout& layout) {
-  return std::make_unique<Rk4<T>>(layout);
+std::unique_ptr<Integrator<T>> makeRk4(const Scene& /*scene*/, const Sheet& sheet) {
+  return std::make_unique<Rk4<T>>(Layout(sheet));
 }
-template std::unique_ptr<Integrator<float>> makeRk4(const Layout&);
-template std::unique_ptr<Integrator<double>> makeRk4(const Layout&);
+template std::unique_ptr<Integrator<float>> makeRk4(const Scene&, const Sheet&);
+template std::unique_ptr<Integrator<double>> makeRk4(const Scene&, const Sheet&);
 
 }  // namespace tyg

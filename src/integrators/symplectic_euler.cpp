@@ -22,10 +22,10 @@ class SymplecticEuler final : public Integrator<T> {
 }  // namespace
 
 template <class T>
-std::unique_ptr<Integrator<T>> makeSymplecticEuler(const Layout& layout) {
-  return std::make_unique<SymplecticEuler<T>>(layout);
+std::unique_ptr<Integrator<T>> makeSymplecticEuler(const Scene& /*scene*/, const Sheet& sheet) {
+  return std::make_unique<SymplecticEuler<T>>(Layout(sheet));
 }
-template std::unique_ptr<Integrator<float>> makeSymplecticEuler(const Layout&);
-template std::unique_ptr<Integrator<double>> makeSymplecticEuler(const Layout&);
+template std::unique_ptr<Integrator<float>> makeSymplecticEuler(const Scene&, const Sheet&);
+template std::unique_ptr<Integrator<double>> makeSymplecticEuler(const Scene&, const Sheet&);
 
 }  // namespace tyg

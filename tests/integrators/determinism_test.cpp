@@ -1,0 +1,82 @@
+// The same bits everywhere: every vector level, thread count, optimisation level and compiler gives the stored hashes.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "core/row_kernel.h"
+#include "tyg/methods.h"
+#include "tyg/simulation.h"
+
+namespace tyg {
+namespace {
+
+constexpr double kTime = 0.3;  // s: long enough for every spring family, pin and push edge to matter
+
+std::string hexadecimal(std::uint64_t number) {
+  std::ostringstream text;
+  text << std::hex << number;
+  return text.str();
+}
+
+std::string hashAfter(Scene scene, const Method& method, Precision precision, int threads) {
+  scene.precision = precision;
+  for (Push& push : scene.pushes) push.at = 0.1;
+  Simulation simulation(scene, method, {.threads = threads});
+  simulation.advanceTo(kTime);
+  // What a NaN looks like is up to the machine.
+  return simulation.status() == Status::NotFinite ? "not-finite" : hexadecimal(simulation.hash());
+}
+
+/// Lines "scene method precision hash"; made anew by printing what a run gives: see the failure text.
+std::map<std::string, std::string> goldenHashes() {
+  std::map<std::string, std::string> hashes;
+  std::ifstream file(TYG_SOURCE_DIR "/tests/integrators/golden_hashes.txt");
+  std::string scene, method, precision, hash;
+  while (file >> scene >> method >> precision >> hash) hashes[scene + " " + method + " " + precision] = hash;
+  return hashes;
+}
+
+TEST(Determinism, EverySceneAndMethodGivesItsGoldenHashAtThisMachinesBestLevel) {
+  const std::map<std::string, std::string> golden = goldenHashes();
+  ASSERT_FALSE(golden.empty());
+  for (const BuiltinScene& builtin : builtinScenes()) {
+    const Scene scene = loadScene(std::string(builtin.name));
+    for (const Method& method : methods()) {
+      for (const Precision precision : {Precision::Float, Precision::Double}) {
+        const std::string key = scene.name + " " + std::string(method.name) +
+                                (precision == Precision::Float ? " float" : " double");
+        const std::string hash = hashAfter(scene, method, precision, 1);
+        const auto found = golden.find(key);
+        EXPECT_TRUE(found != golden.end() && found->second == hash) << "golden line: " << key << " " << hash;
+      }
+    }
+  }
+}
+
+TEST(Determinism, EveryVectorLevelOfThisMachineGivesTheSameBits) {
+  const Scene scene = loadScene("poke");
+  for (const Precision precision : {Precision::Float, Precision::Double}) {
+    useVectorLevel(VectorLevel::Baseline);
+    const std::string expected = hashAfter(scene, findMethod("rk4"), precision, 1);
+    for (int level = 1; level <= int(bestVectorLevel()); ++level) {
+      useVectorLevel(VectorLevel(level));
+      EXPECT_EQ(hashAfter(scene, findMethod("rk4"), precision, 1), expected) << "level " << level;
+    }
+    useVectorLevel({});
+  }
+}
+
+TEST(Determinism, AnyNumberOfThreadsGivesTheSameBits) {
+  const Scene scene = withSheet(loadScene("poke"), 37, 23);
+  for (const Method& method : methods()) {
+    const std::string expected = hashAfter(scene, method, Precision::Double, 1);
+    for (const int threads : {2, 3, 5, 40}) {
+      EXPECT_EQ(hashAfter(scene, method, Precision::Double, threads), expected) << method.name << " " << threads;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tyg
