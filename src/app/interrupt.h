@@ -1,0 +1,20 @@
+// Ctrl-C as a flag that long work asks for, so that nothing is left half done.
+// Must not know: what is interrupted.
+#pragma once
+
+namespace tyg {
+
+/// While one of these lives, the first Ctrl-C (or SIGTERM) only raises the flag; a second one ends the program at once.
+/// Signals that the program was started with as ignored stay ignored.
+class InterruptWatch {
+ public:
+  InterruptWatch();
+  ~InterruptWatch();
+  InterruptWatch(const InterruptWatch&) = delete;
+  InterruptWatch& operator=(const InterruptWatch&) = delete;
+};
+
+/// Was there an interrupt since the newest watch began?
+bool interrupted();
+
+}  // namespace tyg

@@ -1,0 +1,193 @@
+// Reports of a run.
+#include "app/run_report.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <limits>
+#include <vector>
+
+#include "app/json.h"
+#include "study/stability.h"
+#include "tyg/methods.h"
+
+namespace tyg {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+[[gnu::format(printf, 1, 2)]] std::string line(const char* format, ...) {
+  std::array<char, 400> text{};
+  std::va_list values;
+  va_start(values, format);
+  std::vsnprintf(text.data(), text.size(), format, values);
+  va_end(values);
+  return text.data();
+}
+
+std::string name(const Method& method) { return std::string(method.name); }
+
+const char* precisionName(const Scene& scene) { return scene.precision == Precision::Float ? "float" : "double"; }
+
+/// Two significant digits, rounded down: what is advised must not lie above what was worked out.
+double roundedDown(double step) {
+  const double unit = std::pow(10.0, std::floor(std::log10(step)) - 1);
+  return std::floor(step / unit * (1 + 1e-12)) * unit;
+}
+
+/// The first method, in the table's order, that is predicted to stay stable with this step.
+const Method* methodThatHolds(const Scene& scene, const Method& failed, double step) {
+  for (const Method& method : methods()) {
+    const double limit = restLatticeLimit(scene, method);
+    if (method.name != failed.name && !(limit < 1.05 * step)) return &method;
+  }
+  return nullptr;
+}
+
+std::string stableStepLine(const FinishedRun& run) {
+  if (std::isnan(run.stableStep)) return "stable step   no limit";
+  if (run.stableStep == 0) return "stable step   none: this method needs damping to hold";
+  const double share = run.simulation.largestStep() / run.stableStep;
+  return line("stable step   up to %.4g s is predicted for the sheet at rest; this run used %.3g %% of that",
+              run.stableStep, 100 * share);
+}
+
+/// The moments inside the run at which a scene's push begins or ends.
+std::vector<double> pushEdges(const Scene& scene) {
+  std::vector<double> edges{0, scene.duration};
+  for (const Push& push : scene.pushes) {
+    for (const double edge : {push.at, push.at + push.duration}) {
+      if (edge > 0 && edge < scene.duration) edges.push_back(edge);
+    }
+  }
+  std::ranges::sort(edges);
+  const auto [first, last] = std::ranges::unique(edges);
+  edges.erase(first, last);
+  return edges;
+}
+
+std::string sizeAndMethod(const Simulation& simulation) {
+  const Scene& scene = simulation.scene();
+  return line("%s: %d x %d particles, %s with a step of %.6g s, %s, %d thread%s", scene.title.c_str(), scene.columns,
+              scene.rows, name(simulation.method()).c_str(), simulation.dt(), precisionName(scene),
+              simulation.threads(), simulation.threads() == 1 ? "" : "s");
+}
+
+std::string energyLines(const FinishedRun& run) {
+  const Ledger& now = run.ledger;
+  std::string text = line("energy        kinetic %.4g J, elastic %.4g J, gravitational %.4g J, work of pushes %.4g J\n",
+                          now.kinetic, now.elastic, now.gravitational, now.work);
+  if (run.followsLoss) {
+    text += line("ledger        dissipated %.4g J; drift %.3g of the run's energy scale of %.4g J\n", now.dissipated,
+                 now.drift, now.scale);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string hashText(const Simulation& simulation) {
+  return line("%016llx", static_cast<unsigned long long>(simulation.hash()));
+}
+
+std::string runJson(const FinishedRun& run) {
+  const Simulation& simulation = run.simulation;
+  const Scene& scene = simulation.scene();
+  JsonObject json;
+  json.add("scene", scene.name);
+  json.add("columns", scene.columns);
+  json.add("rows", scene.rows);
+  json.add("integrator", simulation.method().name);
+  json.add("precision", precisionName(scene));
+  json.add("threads", simulation.threads());
+  json.add("dt_asked", simulation.dt());
+  json.add("dt", simulation.largestStep());
+  json.add("steps", simulation.steps());
+  json.add("force_evaluations", simulation.forceEvaluations());
+  json.add("seconds", run.seconds);
+  json.add("simulated_seconds", simulation.time());
+  json.add("kinetic_J", run.ledger.kinetic);
+  json.add("elastic_J", run.ledger.elastic);
+  json.add("gravitational_J", run.ledger.gravitational);
+  json.add("work_J", run.ledger.work);
+  json.add("dissipated_J", run.followsLoss ? run.ledger.dissipated : kUnknown);
+  json.add("ledger_drift", run.followsLoss ? run.ledger.drift : kUnknown);
+  json.add("max_stretch", run.ledger.maxStretch);
+  json.add("stable_dt", run.stableStep);
+  json.add("hash", hashText(simulation));
+  json.add("status", nameOf(simulation.status()));
+  return json.text();
+}
+
+std::string runSummary(const FinishedRun& run) {
+  const Simulation& simulation = run.simulation;
+  const auto evaluations = static_cast<double>(simulation.forceEvaluations());
+  std::string text = sizeAndMethod(simulation) + "\n";
+  text += line("simulated     %.6g s in %lld steps of at most %.6g s, %lld force evaluations\n", simulation.time(),
+               static_cast<long long>(simulation.steps()), simulation.largestStep(),
+               static_cast<long long>(simulation.forceEvaluations()));
+  text += line("took          %.4g s of stepping", run.seconds);
+  if (run.seconds > 0 && evaluations > 0) {
+    text += line(": %.3g times real time, %.3g ns per particle and force evaluation", simulation.time() / run.seconds,
+                 1e9 * run.seconds / evaluations / simulation.sheet().count());
+  }
+  text += "\n" + energyLines(run);
+  text += line("stretch       springs at most %.3g %% longer than at rest\n", 100 * run.ledger.maxStretch);
+  text += stableStepLine(run) + "\n";
+  text += "hash          " + hashText(simulation) + "\n";
+  text += "status        " + std::string(nameOf(simulation.status())) + "\n";
+  return text;
+}
+
+std::string runPlan(const Simulation& simulation) {
+  const Scene& scene = simulation.scene();
+  const Method& method = simulation.method();
+  std::string text = sizeAndMethod(simulation) + "\n";
+  if (!scene.shows.empty()) text += scene.shows + "\n";
+  text +=
+      line("springs (ks in N/m, kd in N s/m): structural %.4g, %.4g; shear %.4g, %.4g; bend %.4g, %.4g; %s damping\n",
+           scene.structural.ks, scene.structural.kd, scene.shear.ks, scene.shear.kd, scene.bend.ks, scene.bend.kd,
+           scene.damping == Damping::Relative ? "relative" : "axial");
+  text += line("spacing %.4g m, particle mass %.4g kg, gravity (%.4g, %.4g, %.4g) m/s2, drag %.4g N s/m\n",
+               scene.spacing, scene.particleMass, scene.gravity.x, scene.gravity.y, scene.gravity.z, scene.drag);
+  text +=
+      line("%s: %s; order %d, %d force evaluation%s a step\n", name(method).c_str(), std::string(method.scheme).c_str(),
+           method.order, method.evaluationsPerStep, method.evaluationsPerStep == 1 ? "" : "s");
+  const std::vector<double> edges = pushEdges(scene);
+  for (std::size_t k = 1; k < edges.size(); ++k) {
+    text += line("span %zu: %.6g s to %.6g s\n", k, edges[k - 1], edges[k]);
+  }
+  return text;
+}
+
+std::string failureAdvice(const FinishedRun& run) {
+  const Simulation& simulation = run.simulation;
+  const Method& method = simulation.method();
+  const double step = simulation.largestStep(), limit = run.stableStep;
+  const bool finite = simulation.status() == Status::Unstable;
+  std::string text = line("%s with a step of %.6g s %s at t = %.6g s. ", name(method).c_str(), step,
+                          finite ? "became unstable (the cloth gained energy by itself)" : "left the numbers' range",
+                          simulation.alarmTime());
+  if (limit == 0) {
+    text += "No step is predicted to be stable for it here: it needs damping to hold. Try ";
+  } else if (limit < step) {
+    text += line("The predicted limit at rest is %.4g s. Try --dt %.2g", limit, roundedDown(0.9 * limit));
+  } else if (std::isnan(limit)) {
+    text += line("No limit is predicted for it. Try --dt %.2g", roundedDown(step / 2));
+  } else {
+    text += line("The predicted limit at rest, %.4g s, was kept, but a cloth far from rest allows less. Try --dt %.2g",
+                 limit, roundedDown(step / 2));
+  }
+  if (limit > step || std::isnan(limit)) return text + ".";
+  const Method* other = methodThatHolds(simulation.scene(), method, step);
+  if (other != nullptr) {
+    text += (limit == 0 ? "" : ", or ") + ("--integrator " + name(*other)) + ", predicted to hold with this step";
+  } else if (limit == 0) {
+    text += "another method with a smaller step";
+  }
+  return text + ".";
+}
+
+}  // namespace tyg
