@@ -50,7 +50,10 @@ class Forces {
   void trackDissipation(bool on) { trackDissipation_ = on; }
   /// The last evaluation counts for `seconds` in the integral of the dissipated power. Methods call it with their own
   /// quadrature weights, so that the ledger closes to the method's own order.
-  void dissipate(double seconds) { account_.dissipated += seconds * account_.power; }
+  void dissipate(double seconds) { addDissipated(seconds * power()); }
+  /// The same in two parts, for methods that may yet reject a step.
+  [[nodiscard]] double power() const { return account_.power; }  ///< W, at the last evaluation
+  void addDissipated(double joules) { account_.dissipated += joules; }
   [[nodiscard]] double dissipated() const { return account_.dissipated; }  ///< J, so far
 
   /// What is counted along the way, to be saved and restored together with a state.

@@ -17,6 +17,12 @@ class Integrator {
   virtual ~Integrator() = default;
   /// One step of h seconds (> 0). The forces hold constant parameters during the step.
   virtual void step(Forces<T>& forces, State<T>& state, double h) = 0;
+  /// Adaptive methods: one accepted step of at most `most` seconds whose estimated error is within `tolerance` metres
+  /// (> 0); returns the step taken. Others take the whole of `most`.
+  virtual double stepWithin(Forces<T>& forces, State<T>& state, double most, double /*tolerance*/) {
+    step(forces, state, most);
+    return most;
+  }
   /// Forgets what was kept from the last step. Whoever edits the state or the forces calls this.
   virtual void reset() {}
   /// A copy with the same memory, for snapshots.
@@ -31,6 +37,7 @@ struct Method {
   int order;                   ///< of convergence, for smooth forces
   int evaluationsPerStep;      ///< force evaluations of one step
   int evaluationsAtStart;      ///< more of them in the first step, and after every reset
+  bool adaptive;               ///< chooses its own steps within a scene's tolerance; dt is then not used
   /// Largest stable step in seconds for the mode x'' + d x' + w2 x = 0 (w2 in 1/s2, d in 1/s, both >= 0): infinite where
   /// every step is stable, 0 where none is. Null where the method has no limit at all.
   double (*stableStep)(double w2, double d);

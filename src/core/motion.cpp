@@ -25,6 +25,9 @@ class MotionOf final : public Motion {
 
   void useMethod(const Method& method) override { integrator_ = method.make<T>(scene_, sheet_); }
   void step(double h) override { integrator_->step(forces_, state_, h); }
+  double stepWithin(double most, double tolerance) override {
+    return integrator_->stepWithin(forces_, state_, most, tolerance);
+  }
   void clearPushes() override { forces_.clearPushes(); }
   void addPush(int particle, const Vec3& force) override { forces_.addPush(particle, force); }
   void reset() override { integrator_->reset(); }

@@ -20,6 +20,8 @@ class Motion {
   virtual ~Motion() = default;
   virtual void useMethod(const Method& method) = 0;
   virtual void step(double h) = 0;
+  /// See Integrator::stepWithin.
+  virtual double stepWithin(double most, double tolerance) = 0;
   virtual void clearPushes() = 0;
   virtual void addPush(int particle, const Vec3& force) = 0;
   /// To be called after any edit of pushes or state.

@@ -166,8 +166,12 @@ struct Simulation::Body {
   [[nodiscard]] bool standing() const { return stopAsked || (run().status != Status::Ok && !settings.keepGoing); }
 
   void step(double h, double timeAfter) {
-    Run& r = run();
     motion->step(h);
+    count(h, timeAfter);
+  }
+
+  void count(double h, double timeAfter) {
+    Run& r = run();
     r.time = timeAfter;
     r.largestStep = std::max(r.largestStep, h);
     if (++r.steps % kStepsBetweenLooks == 0) {
@@ -222,10 +226,20 @@ struct Simulation::Body {
     return stop;
   }
 
-  /// Equal steps of at most dt to the next stop.
+  /// Whether the method chooses its own steps. With tolerance 0 an adaptive method takes those of dt, for studies.
+  [[nodiscard]] bool stepsFreely() const { return run().method->adaptive && scene.tolerance > 0; }
+
+  /// Equal steps of at most dt to the next stop, or steps of the method's own choice.
   void advanceSegment(double stop) {
     Run& r = run();
     switchPushes();
+    if (stepsFreely()) {
+      while (!standing() && r.time < stop) {
+        const double most = stop - r.time, taken = motion->stepWithin(most, scene.tolerance);
+        count(taken, taken == most ? stop : r.time + taken);
+      }
+      return;
+    }
     const double from = r.time, span = stop - from;
     const auto count = std::max<std::int64_t>(1, std::int64_t(std::ceil(span / r.dt - kSameTime)));
     const double h = span / double(count);
@@ -240,7 +254,7 @@ struct Simulation::Body {
     Run& r = run();
     playScript();
     const double end = r.tickBaseTime + double(r.ticks + 1 - r.tickBase) * r.dt;
-    if (nextStop(end) == end) {
+    if (nextStop(end) == end && !stepsFreely()) {
       switchPushes();
       step(r.dt, end);
     } else {

@@ -20,8 +20,8 @@ void pauseBriefly() {
 
 /// Returns once `value` differs from `old`.
 template <class T>
-void awaitChange(const std::atomic<T>& value, T old) {
-  for (int spin = 0; spin < kSpins; ++spin) {
+void awaitChange(const std::atomic<T>& value, T old, int spins) {
+  for (int spin = 0; spin < spins; ++spin) {
     if (value.load(std::memory_order_acquire) != old) return;
     pauseBriefly();
   }
@@ -35,6 +35,7 @@ struct Workers::Pool {
   std::atomic<unsigned> generation{0};
   std::atomic<int> unfinished{0};
   std::atomic<bool> ending{false};
+  int spins = 0;  // none where threads share cores: a spinning one would only keep a working one waiting
   std::vector<std::jthread> threads;
 
   void doBand(int thread, int count) const {
@@ -45,7 +46,7 @@ struct Workers::Pool {
   void serve(int thread, int count) {
     unsigned seen = 0;
     while (true) {
-      awaitChange(generation, seen);
+      awaitChange(generation, seen, spins);
       ++seen;
       if (ending.load(std::memory_order_relaxed)) return;
       doBand(thread, count);
@@ -57,6 +58,7 @@ struct Workers::Pool {
 Workers::Workers(int threads) : threads_(std::max(1, threads)) {
   if (threads_ == 1) return;
   pool_ = std::make_unique<Pool>();
+  pool_->spins = threads_ <= int(std::thread::hardware_concurrency()) ? kSpins : 0;
   for (int k = 1; k < threads_; ++k) {
     pool_->threads.emplace_back([pool = pool_.get(), k, count = threads_] { pool->serve(k, count); });
   }
@@ -77,7 +79,7 @@ void Workers::share(const Job& job) {
   pool_->doBand(0, threads_);
   for (int left = pool_->unfinished.load(std::memory_order_acquire); left > 0;
        left = pool_->unfinished.load(std::memory_order_acquire)) {
-    awaitChange(pool_->unfinished, left);
+    awaitChange(pool_->unfinished, left, pool_->spins);
   }
 }
 

@@ -9,19 +9,19 @@
 namespace tyg {
 namespace {
 
-// name, label, scheme, order, evaluations per step and more of them at a start, largest stable step, makers
+// name, label, scheme, order, evaluations per step and more of them at a start, adaptive, largest stable step, makers
 // clang-format off
 constexpr std::array kMethods = {
     Method{"explicit-euler", "Explicit Euler", "x' = x + h v; v' = v + h a(x, v)",
-           1, 1, 0, stableStepExplicitEuler, makeExplicitEuler<float>, makeExplicitEuler<double>},
+           1, 1, 0, false, stableStepExplicitEuler, makeExplicitEuler<float>, makeExplicitEuler<double>},
     Method{"symplectic-euler", "Symplectic Euler", "v' = v + h a(x, v); x' = x + h v'",
-           1, 1, 0, stableStepSymplecticEuler, makeSymplecticEuler<float>, makeSymplecticEuler<double>},
+           1, 1, 0, false, stableStepSymplecticEuler, makeSymplecticEuler<float>, makeSymplecticEuler<double>},
     Method{"report-rk4", "RK4 as the report printed it", "symplectic Euler with h (1 + h/2 + h^2/6 + h^3/24)",
-           1, 1, 0, stableStepReportRk4, makeReportRk4<float>, makeReportRk4<double>},
+           1, 1, 0, false, stableStepReportRk4, makeReportRk4<float>, makeReportRk4<double>},
     Method{"leapfrog", "Leapfrog", "velocity Verlet; damping at the predicted velocity",
-           2, 1, 1, stableStepLeapfrog, makeLeapfrog<float>, makeLeapfrog<double>},
+           2, 1, 1, false, stableStepLeapfrog, makeLeapfrog<float>, makeLeapfrog<double>},
     Method{"rk4", "Runge-Kutta 4", "the classical Runge-Kutta method on (x, v)",
-           4, 4, 0, stableStepRk4, makeRk4<float>, makeRk4<double>},
+           4, 4, 0, false, stableStepRk4, makeRk4<float>, makeRk4<double>},
 };
 // clang-format on
 

@@ -1,0 +1,35 @@
+// Dormand-Prince 5(4): fifth order with an embedded fourth-order estimate.
+// Coefficients: J. R. Dormand, P. J. Prince, "A family of embedded Runge-Kutta formulae", J. Comput. Appl. Math. 6 (1980)
+// 19-26, table 2.
+#include "integrators/embedded_rk.h"
+#include "integrators/factories.h"
+
+namespace tyg {
+namespace {
+
+struct Dopri54Table {
+  static constexpr int kStages = 7;
+  static constexpr int kRoots = 3;  // step ~ error^-1/8
+  static constexpr double a[kStages][kStages] = {
+      {},
+      {1.0 / 5},
+      {3.0 / 40, 9.0 / 40},
+      {44.0 / 45, -56.0 / 15, 32.0 / 9},
+      {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
+      {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
+      {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84},
+  };
+  static constexpr double e[kStages] = {71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
+                                        -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
+};
+
+}  // namespace
+
+template <class T>
+std::unique_ptr<Integrator<T>> makeDopri54(const Scene& scene, const Sheet& sheet) {
+  return std::make_unique<EmbeddedRk<T, Dopri54Table>>(scene, sheet);
+}
+template std::unique_ptr<Integrator<float>> makeDopri54(const Scene&, const Sheet&);
+template std::unique_ptr<Integrator<double>> makeDopri54(const Scene&, const Sheet&);
+
+}  // namespace tyg
