@@ -33,6 +33,13 @@ class Forces {
   /// Force on every particle at these positions and velocities. Counts as one force evaluation.
   void evaluate(const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force);
 
+  /// Gravity, drag and pushes alone, for methods that treat springs in a way of their own. No force evaluation.
+  void evaluateWithoutSprings(const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force);
+  /// Works out the power of this state for the ledger, where it is wanted, as an evaluation would.
+  void measurePower(const VectorField<T>& position, const VectorField<T>& velocity);
+
+  /// 1 for a particle that moves, 0 for a pinned one; by place in a plane.
+  [[nodiscard]] const T* freeMask() const;
   /// Newtons to metres per second squared.
   [[nodiscard]] double inverseMass() const { return inverseMass_; }
   [[nodiscard]] const Layout& layout() const { return layout_; }
@@ -67,6 +74,9 @@ class Forces {
 
  private:
   struct Kernel;
+  template <class BandKernel>
+  void runKernel(BandKernel forcesOfBand, const VectorField<T>& position, const VectorField<T>& velocity,
+                 VectorField<T>& force);
   struct PushedParticle {
     std::ptrdiff_t at;
     Vec3 force;

@@ -34,7 +34,7 @@ AlignedVector<T> columnMask(const Layout& layout, int distance) {
 
 /// 1 for every particle of the sheet that is not pinned.
 template <class T>
-AlignedVector<T> freeMask(const Layout& layout, const Sheet& sheet) {
+AlignedVector<T> maskOfFree(const Layout& layout, const Sheet& sheet) {
   AlignedVector<T> mask(static_cast<std::size_t>(layout.plane));
   for (int particle = 0; particle < sheet.count(); ++particle) mask[static_cast<std::size_t>(layout.at(particle))] = T(1);
   for (const int pin : sheet.pins) mask[static_cast<std::size_t>(layout.at(pin))] = T(0);
@@ -65,7 +65,7 @@ Forces<T>::Forces(const Scene& scene, const Sheet& sheet, Workers& workers)
   k.forcesOfBand = k.kernels.forces[familiesOf(scene)][int(dampingOf(scene))];
   k.hasRight = columnMask<T>(layout_, 1);
   k.hasRight2 = columnMask<T>(layout_, 2);
-  k.isFree = freeMask<T>(layout_, sheet);
+  k.isFree = maskOfFree<T>(layout_, sheet);
   k.scratch.assign(static_cast<std::size_t>(workers.threads()), AlignedVector<T>(rowScratchSize(layout_.stride)));
   k.rowEnergies.resize(static_cast<std::size_t>(layout_.rows));
   k.particleMass = sheet.particleMass;
@@ -103,21 +103,44 @@ Forces<T>::~Forces() = default;
 
 template <class T>
 void Forces<T>::evaluate(const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force) {
+  runKernel(kernel_->forcesOfBand, position, velocity, force);
+  ++account_.evaluations;
+  measurePower(position, velocity);
+}
+
+template <class T>
+void Forces<T>::evaluateWithoutSprings(const VectorField<T>& position, const VectorField<T>& velocity,
+                                       VectorField<T>& force) {
+  runKernel(kernel_->kernels.forces[0][int(DampingTerm::None)], position, velocity, force);
+}
+
+template <class T>
+template <class BandKernel>
+void Forces<T>::runKernel(BandKernel forcesOfBand, const VectorField<T>& position, const VectorField<T>& velocity,
+                          VectorField<T>& force) {
   Kernel& k = *kernel_;
   workers_.forBands(layout_.rows, [&](int first, int last, int thread) {
     RowBand<T> band = k.band;
     band.first = first, band.last = last;
     band.position = position.x(), band.velocity = velocity.x(), band.force = force.x();
     band.scratch = k.scratch[static_cast<std::size_t>(thread)].data();
-    k.forcesOfBand(band);
+    forcesOfBand(band);
   });
   for (const PushedParticle& push : pushes_) {
     force.x()[push.at] += T(push.force.x);
     force.y()[push.at] += T(push.force.y);
     force.z()[push.at] += T(push.force.z);
   }
-  ++account_.evaluations;
+}
+
+template <class T>
+void Forces<T>::measurePower(const VectorField<T>& position, const VectorField<T>& velocity) {
   if (trackDissipation_) account_.power = dampingPower(position, velocity);
+}
+
+template <class T>
+const T* Forces<T>::freeMask() const {
+  return kernel_->isFree.data();
 }
 
 template <class T>

@@ -17,6 +17,16 @@ template <class T>
 std::unique_ptr<Integrator<T>> makeLeapfrog(const Scene& scene, const Sheet& sheet);
 template <class T>
 std::unique_ptr<Integrator<T>> makeRk4(const Scene& scene, const Sheet& sheet);
+template <class T>
+std::unique_ptr<Integrator<T>> makeBs32(const Scene& scene, const Sheet& sheet);
+template <class T>
+std::unique_ptr<Integrator<T>> makeDopri54(const Scene& scene, const Sheet& sheet);
+template <class T>
+std::unique_ptr<Integrator<T>> makeImex(const Scene& scene, const Sheet& sheet);
+template <class T>
+std::unique_ptr<Integrator<T>> makeBackwardEuler(const Scene& scene, const Sheet& sheet);
+template <class T>
+std::unique_ptr<Integrator<T>> makeXpbd(const Scene& scene, const Sheet& sheet);
 
 // Largest stable step in s for the mode x'' + d x' + w2 x = 0: infinite where every step is stable, 0 where none is.
 double stableStepExplicitEuler(double w2, double d);

@@ -1,0 +1,169 @@
+// Backward Euler with one linearised solve (Baraff and Witkin, "Large steps in cloth simulation", 1998, eq. 6):
+//   (M - h dF/dv - h^2 dF/dx) dv = h (F + h dF/dx v);  v' = v + dv;  x' = x + h v'
+// A spring's stiffness matrix is ks (n n' + max(0, 1 - L0/|L|) (I - n n')): clamped, so that compressed springs keep the
+// system positive definite. Solved by conjugate gradients with 3x3 block Jacobi preconditioning, one block a particle.
+#include <Eigen/Dense>
+
+#include "integrators/factories.h"
+#include "integrators/spring_list.h"
+
+namespace tyg {
+namespace {
+
+template <class T>
+class BackwardEuler final : public Integrator<T> {
+ public:
+  BackwardEuler(const Scene& scene, const Sheet& sheet)
+      : springs_(listSprings(scene, sheet)),
+        axial_(scene.damping == Damping::Axial),
+        drag_(T(scene.drag)),
+        mass_(T(sheet.particleMass)),
+        force_(Layout(sheet)) {
+    const Layout& layout = force_.layout();
+    index_.assign(std::size_t(layout.plane), -1);
+    for (int particle = 0; particle < sheet.count(); ++particle) {
+      index_[std::size_t(layout.at(particle))] = particle;
+      places_.push_back(layout.at(particle));
+    }
+    const std::size_t count = places_.size();
+    for (Vectors* v : {&solution_, &residual_, &preconditioned_, &direction_, &image_, &velocity_}) {
+      v->assign(count, Vector::Zero());
+    }
+    inverse_.assign(count, Block::Zero());
+    stiffness_.resize(springs_.size());
+    damping_.resize(springs_.size());
+  }
+
+  void step(Forces<T>& forces, State<T>& state, double h) override {
+    forces.evaluate(state.position, state.velocity, force_);
+    linearise(state, T(h));
+    prepare(forces, state, T(h));
+    solve(forces.freeMask());
+    const std::ptrdiff_t plane = force_.layout().plane;
+    T *x = state.position.x(), *v = state.velocity.x();
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      for (int axis = 0; axis < 3; ++axis) {
+        const std::ptrdiff_t i = axis * plane + places_[k];
+        v[i] += solution_[k][axis];
+        x[i] += T(h) * v[i];
+      }
+    }
+    forces.measurePower(state.position, state.velocity);
+    forces.dissipate(h);
+  }
+  [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<BackwardEuler>(*this); }
+
+ private:
+  using Vector = Eigen::Matrix<T, 3, 1>;
+  using Block = Eigen::Matrix<T, 3, 3>;
+  using Vectors = std::vector<Vector>;
+
+  /// h^2 K and h C of every spring.
+  void linearise(const State<T>& state, T h) {
+    for (std::size_t s = 0; s < springs_.size(); ++s) {
+      const ListedSpring& spring = springs_[s];
+      const Vector d = at(state.position, spring.first) - at(state.position, spring.second);
+      const T length = d.norm();
+      const Block along = length > 0 ? Block(d * d.transpose() / (length * length)) : Block(Block::Zero());
+      const T across = length > 0 ? std::max(T(0), 1 - T(spring.rest) / length) : T(0);
+      const Block k = along + across * (Block::Identity() - along);
+      stiffness_[s] = (h * h * T(spring.ks)) * k;
+      damping_[s] = (h * T(spring.kd)) * (axial_ ? along : Block(Block::Identity()));
+    }
+  }
+
+  /// The right-hand side h F + h dF/dx h v as the first residual, and the preconditioner.
+  void prepare(const Forces<T>& forces, const State<T>& state, T h) {
+    const T* isFree = forces.freeMask();
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      velocity_[k] = at(state.velocity, places_[k]);
+      residual_[k] = h * at(force_, places_[k]);
+      inverse_[k] = (mass_ + h * drag_) * Block::Identity();
+    }
+    for (std::size_t s = 0; s < springs_.size(); ++s) {
+      const auto [a, b] = ends(s);
+      const Vector pull = stiffness_[s] * (velocity_[a] - velocity_[b]);
+      residual_[a] -= pull;
+      residual_[b] += pull;
+      inverse_[a] += stiffness_[s] + damping_[s];
+      inverse_[b] += stiffness_[s] + damping_[s];
+    }
+    diagonal_ = mass_ + h * drag_;
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      inverse_[k] = isFree[places_[k]] * inverse_[k].inverse().eval();
+      residual_[k] *= isFree[places_[k]];
+      solution_[k].setZero();
+    }
+  }
+
+  /// Conjugate gradients (Hestenes and Stiefel 1952) on the particles that move.
+  void solve(const T* isFree) {
+    constexpr T kTolerance = sizeof(T) == sizeof(float) ? T(1e-5) : T(1e-8);
+    constexpr int kMostIterations = 400;
+    precondition();
+    direction_ = preconditioned_;
+    T rho = dot(residual_, preconditioned_);
+    const T enough = kTolerance * kTolerance * rho;
+    for (int k = 0; k < kMostIterations && rho > enough; ++k) {
+      apply(isFree);
+      const T alpha = rho / dot(direction_, image_);
+      for (std::size_t i = 0; i < solution_.size(); ++i) {
+        solution_[i] += alpha * direction_[i];
+        residual_[i] -= alpha * image_[i];
+      }
+      precondition();
+      const T next = dot(residual_, preconditioned_);
+      const T beta = next / rho;
+      rho = next;
+      for (std::size_t i = 0; i < direction_.size(); ++i) direction_[i] = preconditioned_[i] + beta * direction_[i];
+    }
+  }
+
+  void precondition() {
+    for (std::size_t i = 0; i < residual_.size(); ++i) preconditioned_[i] = inverse_[i] * residual_[i];
+  }
+
+  /// image = system matrix * direction.
+  void apply(const T* isFree) {
+    for (std::size_t i = 0; i < direction_.size(); ++i) image_[i] = diagonal_ * direction_[i];
+    for (std::size_t s = 0; s < springs_.size(); ++s) {
+      const auto [a, b] = ends(s);
+      const Vector d = direction_[a] - direction_[b];
+      const Vector pull = stiffness_[s] * d + damping_[s] * d;
+      image_[a] += pull;
+      image_[b] -= pull;
+    }
+    for (std::size_t i = 0; i < image_.size(); ++i) image_[i] *= isFree[places_[i]];
+  }
+
+  static T dot(const Vectors& a, const Vectors& b) {
+    T sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
+    return sum;
+  }
+  static Vector at(const VectorField<T>& field, std::ptrdiff_t i) { return {field.x()[i], field.y()[i], field.z()[i]}; }
+  [[nodiscard]] std::pair<std::size_t, std::size_t> ends(std::size_t spring) const {
+    return {std::size_t(index_[std::size_t(springs_[spring].first)]),
+            std::size_t(index_[std::size_t(springs_[spring].second)])};
+  }
+
+  std::vector<ListedSpring> springs_;
+  bool axial_;
+  T drag_, mass_, diagonal_ = 0;
+  VectorField<T> force_;
+  std::vector<int> index_;              // by place: the particle
+  std::vector<std::ptrdiff_t> places_;  // by particle: its place
+  std::vector<Block> stiffness_, damping_, inverse_;
+  Vectors solution_, residual_, preconditioned_, direction_, image_, velocity_;
+};
+
+}  // namespace
+
+template <class T>
+std::unique_ptr<Integrator<T>> makeBackwardEuler(const Scene& scene, const Sheet& sheet) {
+  return std::make_unique<BackwardEuler<T>>(scene, sheet);
+}
+template std::unique_ptr<Integrator<float>> makeBackwardEuler(const Scene&, const Sheet&);
+template std::unique_ptr<Integrator<double>> makeBackwardEuler(const Scene&, const Sheet&);
+
+}  // namespace tyg

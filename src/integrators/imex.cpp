@@ -1,0 +1,136 @@
+// Position Verlet with the damping by the implicit midpoint rule, for the relative law, whose matrix D is constant:
+//   y = x + h/2 v;  (M + h/2 D) v' = (M - h/2 D) v + h F_springs(y);  x' = y + h/2 v'
+// Second order; stable to h w = 2 whatever the damping. D is factored once for each step length.
+#include <Eigen/SparseCholesky>
+
+#include "core/field_ops.h"
+#include "integrators/factories.h"
+#include "integrators/spring_list.h"
+
+namespace tyg {
+namespace {
+
+template <class T>
+class Imex final : public Integrator<T> {
+ public:
+  Imex(const Scene& scene, const Sheet& sheet)
+      : scene_(scene), sheet_(sheet), still_(Layout(sheet)), force_(Layout(sheet)) {
+    if (scene.damping == Damping::Axial) {
+      throw InputError("imex: found axial damping, allowed: relative damping (its matrix must be constant)");
+    }
+    unknown_.assign(std::size_t(still_.layout().plane), -1);
+    for (int particle = 0; particle < sheet.count(); ++particle) {
+      if (!std::binary_search(sheet.pins.begin(), sheet.pins.end(), particle)) {
+        unknown_[std::size_t(still_.layout().at(particle))] = int(places_.size());
+        places_.push_back(still_.layout().at(particle));
+      }
+    }
+    buildDamping();
+  }
+  Imex(const Imex& other) : Imex(other.scene_, other.sheet_) {}
+
+  void step(Forces<T>& forces, State<T>& state, double h) override {
+    drift(forces, state, h / 2);
+    forces.evaluate(state.position, still_, force_);
+    forces.measurePower(state.position, state.velocity);
+    forces.dissipate(h / 2);
+    if (isDamped_) {
+      solve(state, h);
+    } else {
+      kick(forces, state, h);
+    }
+    forces.measurePower(state.position, state.velocity);
+    forces.dissipate(h / 2);
+    drift(forces, state, h / 2);
+  }
+  [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<Imex>(*this); }
+
+ private:
+  using Matrix = Eigen::SparseMatrix<T>;
+  using Columns = Eigen::Matrix<T, Eigen::Dynamic, 3>;
+
+  void drift(Forces<T>& forces, State<T>& state, double h) {
+    const T step = T(h);
+    T* x = state.position.x();
+    const T* v = state.velocity.x();
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
+      for (std::ptrdiff_t i = begin; i < end; ++i) x[i] += step * v[i];
+    });
+  }
+  void kick(Forces<T>& forces, State<T>& state, double h) {
+    const T step = T(h * forces.inverseMass());
+    T* v = state.velocity.x();
+    const T* f = force_.x();
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
+      for (std::ptrdiff_t i = begin; i < end; ++i) v[i] += step * f[i];
+    });
+  }
+
+  /// D over the particles that move: the graph Laplacian weighted with kd, plus drag.
+  void buildDamping() {
+    std::vector<Eigen::Triplet<T>> entries;
+    const auto add = [&](int row, int column, double value) {
+      if (row >= 0 && column >= 0) entries.emplace_back(row, column, T(value));
+    };
+    for (std::size_t k = 0; k < places_.size(); ++k) add(int(k), int(k), scene_.drag);
+    isDamped_ = scene_.drag > 0;
+    for (const ListedSpring& spring : listSprings(scene_, sheet_)) {
+      if (spring.kd <= 0) continue;
+      isDamped_ = true;
+      const int a = unknown_[std::size_t(spring.first)], b = unknown_[std::size_t(spring.second)];
+      add(a, a, spring.kd), add(b, b, spring.kd), add(a, b, -spring.kd), add(b, a, -spring.kd);
+    }
+    const auto size = Eigen::Index(places_.size());
+    damping_.resize(size, size);
+    damping_.setFromTriplets(entries.begin(), entries.end());
+    mass_.resize(size, size);
+    mass_.setIdentity();
+    mass_ *= T(sheet_.particleMass);
+    if (isDamped_) factor_.analyzePattern(mass_ + damping_);
+  }
+
+  void solve(State<T>& state, double h) {
+    if (h != factoredFor_) {
+      factor_.factorize(mass_ + T(h / 2) * damping_);
+      factoredFor_ = h;
+    }
+    const auto size = Eigen::Index(places_.size());
+    velocity_.resize(size, 3), momentum_.resize(size, 3);
+    const std::ptrdiff_t plane = state.velocity.layout().plane;
+    T* v = state.velocity.x();
+    const T* f = force_.x();
+    for (Eigen::Index k = 0; k < size; ++k) {
+      for (int axis = 0; axis < 3; ++axis) velocity_(k, axis) = v[axis * plane + places_[std::size_t(k)]];
+    }
+    momentum_ = T(sheet_.particleMass) * velocity_ - T(h / 2) * (damping_ * velocity_);
+    for (Eigen::Index k = 0; k < size; ++k) {
+      for (int axis = 0; axis < 3; ++axis) momentum_(k, axis) += T(h) * f[axis * plane + places_[std::size_t(k)]];
+    }
+    velocity_ = factor_.solve(momentum_);
+    for (Eigen::Index k = 0; k < size; ++k) {
+      for (int axis = 0; axis < 3; ++axis) v[axis * plane + places_[std::size_t(k)]] = velocity_(k, axis);
+    }
+  }
+
+  Scene scene_;
+  Sheet sheet_;
+  VectorField<T> still_, force_;
+  std::vector<int> unknown_;             // by place: index of the unknown, or -1 at pins and ghosts
+  std::vector<std::ptrdiff_t> places_;   // by unknown: its place
+  bool isDamped_ = false;
+  Matrix damping_, mass_;
+  Eigen::SimplicialLDLT<Matrix> factor_;
+  double factoredFor_ = 0;
+  Columns velocity_, momentum_;
+};
+
+}  // namespace
+
+template <class T>
+std::unique_ptr<Integrator<T>> makeImex(const Scene& scene, const Sheet& sheet) {
+  return std::make_unique<Imex<T>>(scene, sheet);
+}
+template std::unique_ptr<Integrator<float>> makeImex(const Scene&, const Sheet&);
+template std::unique_ptr<Integrator<double>> makeImex(const Scene&, const Sheet&);
+
+}  // namespace tyg

@@ -1,0 +1,19 @@
+// The springs as a list of pairs, for methods that visit or assemble them one by one. Explicit methods never do.
+#pragma once
+
+#include <vector>
+
+#include "tyg/sheet.h"
+#include "tyg/state.h"
+
+namespace tyg {
+
+struct ListedSpring {
+  std::ptrdiff_t first, second;  ///< places in a plane
+  double ks, kd, rest;           ///< N/m, N s/m, m
+};
+
+/// All springs of the families present: structural, then shear, then bend, each in index order.
+std::vector<ListedSpring> listSprings(const Scene& scene, const Sheet& sheet);
+
+}  // namespace tyg

@@ -1,0 +1,117 @@
+// Extended position-based dynamics with small steps, one iteration each (Macklin, Mueller, Chentanez 2016; Macklin et al.,
+// "Small steps in physics simulation", 2019). Springs are compliant distance constraints, visited in index order:
+//   C = |L| - L0;  lambda = -C / (w1 + w2 + 1 / (ks h^2));  x1 += w1 lambda n;  x2 -= w2 lambda n;  v' = (x' - x) / h
+// Damping acts before, on the predicted velocities, as a pair impulse -h kd dv / (1 + h kd (w1 + w2)) per spring.
+#include <cmath>
+
+#include "core/field_ops.h"
+#include "integrators/factories.h"
+#include "integrators/spring_list.h"
+
+namespace tyg {
+namespace {
+
+template <class T>
+class Xpbd final : public Integrator<T> {
+ public:
+  Xpbd(const Scene& scene, const Sheet& sheet)
+      : springs_(listSprings(scene, sheet)),
+        axial_(scene.damping == Damping::Axial),
+        start_(Layout(sheet)),
+        force_(Layout(sheet)) {}
+
+  void step(Forces<T>& forces, State<T>& state, double h) override {
+    forces.measurePower(state.position, state.velocity);
+    forces.dissipate(h);
+    forces.evaluateWithoutSprings(state.position, state.velocity, force_);
+    start_ = state.position;
+    predictVelocity(forces, state, h);
+    for (const ListedSpring& spring : springs_) {
+      if (spring.kd > 0) damp(forces, state, spring, h);
+    }
+    moveFreely(forces, state, h);
+    for (const ListedSpring& spring : springs_) {
+      if (spring.ks > 0) project(forces, state.position, spring, h);
+    }
+    takeVelocity(forces, state, h);
+  }
+  [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<Xpbd>(*this); }
+
+ private:
+  void predictVelocity(Forces<T>& forces, State<T>& state, double h) {
+    const T kick = T(h * forces.inverseMass());
+    T* v = state.velocity.x();
+    const T* f = force_.x();
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
+      for (std::ptrdiff_t i = begin; i < end; ++i) v[i] += kick * f[i];
+    });
+  }
+  void moveFreely(Forces<T>& forces, State<T>& state, double h) {
+    const T step = T(h);
+    T* x = state.position.x();
+    const T* v = state.velocity.x();
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
+      for (std::ptrdiff_t i = begin; i < end; ++i) x[i] += step * v[i];
+    });
+  }
+  void takeVelocity(Forces<T>& forces, State<T>& state, double h) {
+    const T perStep = T(1 / h);
+    T* v = state.velocity.x();
+    const T *x = state.position.x(), *from = start_.x();
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
+      for (std::ptrdiff_t i = begin; i < end; ++i) v[i] = perStep * (x[i] - from[i]);
+    });
+  }
+
+  struct Vector {
+    T x, y, z;
+  };
+  static Vector between(const VectorField<T>& field, const ListedSpring& spring) {
+    const T *x = field.x(), *y = field.y(), *z = field.z();
+    return {x[spring.first] - x[spring.second], y[spring.first] - y[spring.second],
+            z[spring.first] - z[spring.second]};
+  }
+  static T dot(const Vector& a, const Vector& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+  /// first += w1 s a; second -= w2 s a.
+  static void addPair(VectorField<T>& field, const ListedSpring& spring, T w1, T w2, T s, const Vector& a) {
+    T *x = field.x(), *y = field.y(), *z = field.z();
+    x[spring.first] += w1 * s * a.x, y[spring.first] += w1 * s * a.y, z[spring.first] += w1 * s * a.z;
+    x[spring.second] -= w2 * s * a.x, y[spring.second] -= w2 * s * a.y, z[spring.second] -= w2 * s * a.z;
+  }
+
+  void damp(const Forces<T>& forces, State<T>& state, const ListedSpring& spring, double h) const {
+    const T w = T(forces.inverseMass());
+    const T w1 = w * forces.freeMask()[spring.first], w2 = w * forces.freeMask()[spring.second];
+    const Vector dv = between(state.velocity, spring);
+    const T s = -T(h * spring.kd) / (1 + T(h * spring.kd) * (w1 + w2));
+    if (!axial_) return addPair(state.velocity, spring, w1, w2, s, dv);
+    const Vector d = between(state.position, spring);
+    const T squared = dot(d, d);
+    if (squared > 0) addPair(state.velocity, spring, w1, w2, s * dot(dv, d) / squared, d);
+  }
+
+  static void project(const Forces<T>& forces, VectorField<T>& position, const ListedSpring& spring, double h) {
+    const T w = T(forces.inverseMass());
+    const T w1 = w * forces.freeMask()[spring.first], w2 = w * forces.freeMask()[spring.second];
+    const Vector d = between(position, spring);
+    const T length = std::sqrt(dot(d, d));
+    if (!(length > 0) || w1 + w2 == 0) return;
+    const T lambda = -(length - T(spring.rest)) / (w1 + w2 + T(1 / (spring.ks * h * h)));
+    addPair(position, spring, w1, w2, lambda / length, d);
+  }
+
+  std::vector<ListedSpring> springs_;
+  bool axial_;
+  VectorField<T> start_, force_;
+};
+
+}  // namespace
+
+template <class T>
+std::unique_ptr<Integrator<T>> makeXpbd(const Scene& scene, const Sheet& sheet) {
+  return std::make_unique<Xpbd<T>>(scene, sheet);
+}
+template std::unique_ptr<Integrator<float>> makeXpbd(const Scene&, const Sheet&);
+template std::unique_ptr<Integrator<double>> makeXpbd(const Scene&, const Sheet&);
+
+}  // namespace tyg
