@@ -34,5 +34,8 @@ double stableStepSymplecticEuler(double w2, double d);
 double stableStepReportRk4(double w2, double d);
 double stableStepLeapfrog(double w2, double d);
 double stableStepRk4(double w2, double d);
+double stableStepBs32(double w2, double d);
+double stableStepDopri54(double w2, double d);
+double stableStepImex(double w2, double d);
 
 }  // namespace tyg

@@ -22,6 +22,16 @@ constexpr std::array kMethods = {
            2, 1, 1, false, stableStepLeapfrog, makeLeapfrog<float>, makeLeapfrog<double>},
     Method{"rk4", "Runge-Kutta 4", "the classical Runge-Kutta method on (x, v)",
            4, 4, 0, false, stableStepRk4, makeRk4<float>, makeRk4<double>},
+    Method{"bs32", "Bogacki-Shampine 3(2)", "adaptive Runge-Kutta, first same as last",
+           3, 3, 1, true, stableStepBs32, makeBs32<float>, makeBs32<double>},
+    Method{"dopri54", "Dormand-Prince 5(4)", "adaptive Runge-Kutta, first same as last",
+           5, 6, 1, true, stableStepDopri54, makeDopri54<float>, makeDopri54<double>},
+    Method{"imex", "IMEX", "position Verlet, damping by implicit midpoint",
+           2, 1, 0, false, stableStepImex, makeImex<float>, makeImex<double>},
+    Method{"backward-euler", "Backward Euler", "Baraff-Witkin: one linearised solve a step",
+           1, 1, 0, false, nullptr, makeBackwardEuler<float>, makeBackwardEuler<double>},
+    Method{"xpbd", "XPBD", "compliant constraints, small steps, one sweep",
+           1, 0, 0, false, nullptr, makeXpbd<float>, makeXpbd<double>},
 };
 // clang-format on
 

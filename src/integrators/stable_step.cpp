@@ -3,6 +3,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <span>
 
 #include "integrators/factories.h"
 #include "integrators/report_rk4.h"
@@ -27,9 +28,33 @@ double positiveRoot(double w2, double b) {
   return 8 / (b + std::sqrt(b * b + 16 * w2));
 }
 
-/// |R(z)| of the classical Runge-Kutta method, R(z) = 1 + z + z^2/2 + z^3/6 + z^4/24.
-double rk4Growth(const Complex& z) {
-  return std::abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0))));
+/// Coefficients of z^0, z^1, ... in the growth R(z) of y' = mu y over a step with z = h mu.
+constexpr double kRk4[] = {1, 1, 1.0 / 2, 1.0 / 6, 1.0 / 24};
+constexpr double kBs32[] = {1, 1, 1.0 / 2, 1.0 / 6};
+constexpr double kDopri54[] = {1, 1, 1.0 / 2, 1.0 / 6, 1.0 / 24, 1.0 / 120, 1.0 / 600};
+
+double growth(std::span<const double> polynomial, const Complex& z) {
+  Complex sum = 0;
+  for (std::size_t k = polynomial.size(); k-- > 0;) sum = sum * z + polynomial[k];
+  return std::abs(sum);
+}
+
+/// The first h with |R(h mu)| > 1 along the ray through mu: outward in small strides, then by bisection.
+double rungeKuttaLimit(std::span<const double> polynomial, double w2, double d) {
+  const Complex mu = fastRoot(w2, d);
+  const double size = std::abs(mu);
+  if (size == 0) return kEveryStep;
+  const Complex direction = mu / size;
+  constexpr double kRounding = 1e-12, kStride = 0.05;
+  const auto grows = [&](double radius) { return growth(polynomial, radius * direction) > 1 + kRounding; };
+  double outside = kStride;
+  while (!grows(outside)) outside += kStride;
+  double inside = outside - kStride;
+  for (int k = 0; k < 40; ++k) {
+    const double middle = (inside + outside) / 2;
+    (grows(middle) ? outside : inside) = middle;
+  }
+  return inside / size;
 }
 
 }  // namespace
@@ -57,19 +82,11 @@ double stableStepReportRk4(double w2, double d) {
   return h;
 }
 
-// |R(h mu)| <= 1 along the ray through mu, found by bisection: the region is star-shaped seen from 0.
-double stableStepRk4(double w2, double d) {
-  const Complex mu = fastRoot(w2, d);
-  const double size = std::abs(mu);
-  if (size == 0) return kEveryStep;
-  const Complex direction = mu / size;
-  constexpr double kRounding = 1e-12;
-  double inside = 0, outside = 4;  // |R| exceeds 1 everywhere on |z| = 4, Re z <= 0
-  for (int k = 0; k < 50; ++k) {
-    const double middle = (inside + outside) / 2;
-    (rk4Growth(middle * direction) <= 1 + kRounding ? inside : outside) = middle;
-  }
-  return inside / size;
-}
+double stableStepRk4(double w2, double d) { return rungeKuttaLimit(kRk4, w2, d); }
+double stableStepBs32(double w2, double d) { return rungeKuttaLimit(kBs32, w2, d); }
+double stableStepDopri54(double w2, double d) { return rungeKuttaLimit(kDopri54, w2, d); }
+
+// Damping by the midpoint rule only ever shrinks a mode; the springs alone set h^2 w2 <= 4.
+double stableStepImex(double w2, double /*d*/) { return positiveRoot(w2, 0); }
 
 }  // namespace tyg
