@@ -1,5 +1,4 @@
 // The step limit at rest: the smallest stable step over all waves q = (qx, qy) in [0, pi]^2 that the lattice carries.
-// Springs along one axis give 2 k (1 - cos q) there; both diagonals together give the shear terms below.
 #include "study/stability.h"
 
 #include <algorithm>
@@ -9,101 +8,25 @@
 #include <numbers>
 #include <vector>
 
+#include "core/lattice.h"
+
 namespace tyg {
 namespace {
-
-/// 1 - cos q without the cancellation near q = 0, where explicit Euler's limit d / w2 lives.
-double oneMinusCos(double q) {
-  const double s = std::sin(q / 2);
-  return 2 * s * s;
-}
-
-/// A symmetric 2x2 matrix.
-struct Symbol {
-  double xx = 0, yy = 0, xy = 0;
-
-  /// Larger and smaller eigenvalue.
-  [[nodiscard]] std::array<double, 2> eigenvalues() const {
-    const double mean = (xx + yy) / 2, radius = std::hypot((xx - yy) / 2, xy);
-    return {mean + radius, std::max(0.0, mean - radius)};
-  }
-  /// The unit eigenvector of the larger eigenvalue.
-  [[nodiscard]] std::array<double, 2> direction() const {
-    const double angle = std::atan2(2 * xy, xx - yy) / 2;
-    return {std::cos(angle), std::sin(angle)};
-  }
-  [[nodiscard]] double along(const std::array<double, 2>& u) const {
-    return xx * u[0] * u[0] + yy * u[1] * u[1] + 2 * xy * u[0] * u[1];
-  }
-};
-
-/// One constant (stiffness or damping) of every family that the sheet has room for, over the particle mass.
-struct Lattice {
-  double structuralX = 0, structuralY = 0, shear = 0, bendX = 0, bendY = 0;
-
-  Lattice(const Scene& scene, double SpringFamily::*constant) {
-    const double perMass = 1 / scene.particleMass;
-    const bool wide = scene.columns > 1, tall = scene.rows > 1;
-    if (wide) structuralX = scene.structural.*constant * perMass;
-    if (tall) structuralY = scene.structural.*constant * perMass;
-    if (wide && tall) shear = scene.shear.*constant * perMass;
-    if (scene.columns > 2) bendX = scene.bend.*constant * perMass;
-    if (scene.rows > 2) bendY = scene.bend.*constant * perMass;
-  }
-
-  /// In-plane symbol: what springs that act along themselves do to a wave.
-  [[nodiscard]] Symbol inPlane(double qx, double qy) const {
-    const double x = oneMinusCos(qx), y = oneMinusCos(qy);
-    const double diagonal = 2 * shear * (x + y - x * y);  // 1 - cos qx cos qy
-    return {2 * structuralX * x + diagonal + 2 * bendX * oneMinusCos(2 * qx),
-            2 * structuralY * y + diagonal + 2 * bendY * oneMinusCos(2 * qy), 2 * shear * std::sin(qx) * std::sin(qy)};
-  }
-  /// The same in every direction: what the relative law's damping does.
-  [[nodiscard]] double everyWay(double qx, double qy) const {
-    const double x = oneMinusCos(qx), y = oneMinusCos(qy);
-    return 2 * structuralX * x + 2 * structuralY * y + 4 * shear * (x + y - x * y) + 2 * bendX * oneMinusCos(2 * qx) +
-           2 * bendY * oneMinusCos(2 * qy);
-  }
-};
 
 /// The smallest stable step of a method over the modes of one wave.
 class WaveLimit {
  public:
-  WaveLimit(const Scene& scene, const Method& method)
-      : stiffness_(scene, &SpringFamily::ks),
-        damping_(scene, &SpringFamily::kd),
-        drag_(scene.drag / scene.particleMass),
-        law_(scene.damping),
-        stableStep_(method.stableStep) {}
+  WaveLimit(const Scene& scene, const Method& method) : lattice_(scene), stableStep_(method.stableStep) {}
 
+  [[nodiscard]] const Lattice& lattice() const { return lattice_; }
   [[nodiscard]] double operator()(double qx, double qy) const {
-    return law_ == Damping::Relative ? relative(qx, qy) : axial(qx, qy);
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const Mode& mode : lattice_.modes(qx, qy)) smallest = std::min(smallest, stableStep_(mode.w2, mode.d));
+    return smallest;
   }
 
  private:
-  /// Out of plane the springs at rest do not pull, and only the damping is left.
-  [[nodiscard]] double relative(double qx, double qy) const {
-    const double d = drag_ + damping_.everyWay(qx, qy);
-    const auto [fast, slow] = stiffness_.inPlane(qx, qy).eigenvalues();
-    return std::min({stableStep_(fast, d), stableStep_(slow, d), stableStep_(0, d)});
-  }
-
-  /// Damping and stiffness need not share their eigenvectors. Each mode is tried with the largest damping of its wave,
-  /// which errs on the safe side where damping costs steps, and with the damping of its own direction, which is the
-  /// exact one where the eigenvectors agree and the one that counts where damping is what keeps a method stable.
-  [[nodiscard]] double axial(double qx, double qy) const {
-    const Symbol pull = stiffness_.inPlane(qx, qy), damp = damping_.inPlane(qx, qy);
-    const auto [fast, slow] = pull.eigenvalues();
-    const double most = drag_ + damp.eigenvalues()[0];
-    const std::array<double, 2> u = pull.direction();
-    const double dFast = drag_ + damp.along(u), dSlow = drag_ + damp.along({-u[1], u[0]});
-    return std::min({stableStep_(fast, most), stableStep_(slow, most), stableStep_(fast, dFast),
-                     stableStep_(slow, dSlow), stableStep_(0, drag_)});
-  }
-
-  Lattice stiffness_, damping_;
-  double drag_;
-  Damping law_;
+  Lattice lattice_;
   double (*stableStep_)(double, double);
 };
 
@@ -128,27 +51,57 @@ Wave refined(const WaveLimit& limit, Wave best, double stride) {
   return best;
 }
 
+/// The limits on a coarse grid of waves, and which of them are lowest among their neighbours.
+class WaveGrid {
+ public:
+  static constexpr int kIntervals = 16;
+  static constexpr double kStride = std::numbers::pi / kIntervals;
+
+  explicit WaveGrid(const WaveLimit& limit)
+      : lastX_(limit.lattice().wide() ? kIntervals : 0), lastY_(limit.lattice().tall() ? kIntervals : 0) {
+    for (int j = 0; j <= lastY_; ++j) {
+      for (int i = 0; i <= lastX_; ++i) waves_.push_back({i * kStride, j * kStride, limit(i * kStride, j * kStride)});
+    }
+  }
+
+  [[nodiscard]] std::vector<Wave> valleys() const {
+    std::vector<Wave> found;
+    for (int j = 0; j <= lastY_; ++j) {
+      for (int i = 0; i <= lastX_; ++i) {
+        if (isLowest(i, j)) found.push_back(at(i, j));
+      }
+    }
+    return found;
+  }
+
+ private:
+  [[nodiscard]] const Wave& at(int i, int j) const { return waves_[static_cast<std::size_t>(j * (lastX_ + 1) + i)]; }
+  [[nodiscard]] bool isLowest(int i, int j) const {
+    for (int row = std::max(0, j - 1); row <= std::min(lastY_, j + 1); ++row) {
+      for (int column = std::max(0, i - 1); column <= std::min(lastX_, i + 1); ++column) {
+        if (at(column, row).limit < at(i, j).limit) return false;
+      }
+    }
+    return true;
+  }
+
+  int lastX_, lastY_;
+  std::vector<Wave> waves_;
+};
+
 }  // namespace
 
 double restLatticeLimit(const Scene& scene, const Method& method) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   if (method.stableStep == nullptr) return kNone;
-  constexpr int kIntervals = 16;
-  constexpr double kStride = std::numbers::pi / kIntervals;
   const WaveLimit limit(scene, method);
-
-  // A lattice of one row or column carries waves along itself only.
-  const int lastX = scene.columns > 1 ? kIntervals : 0, lastY = scene.rows > 1 ? kIntervals : 0;
-  std::vector<Wave> waves;
-  for (int j = 0; j <= lastY; ++j) {
-    for (int i = 0; i <= lastX; ++i) waves.push_back({i * kStride, j * kStride, limit(i * kStride, j * kStride)});
-  }
-  constexpr std::size_t kStarts = 3;
-  const std::size_t starts = std::min(kStarts, waves.size());
-  const auto lowerFirst = [](const Wave& a, const Wave& b) { return a.limit < b.limit; };
-  std::ranges::partial_sort(waves, waves.begin() + static_cast<std::ptrdiff_t>(starts), lowerFirst);
-  double smallest = waves.front().limit;
-  for (std::size_t k = 0; k < starts; ++k) smallest = std::min(smallest, refined(limit, waves[k], kStride / 2).limit);
+  std::vector<Wave> valleys = WaveGrid(limit).valleys();
+  // The deepest few: a shallow valley does not become the deepest one between two grid points.
+  constexpr std::size_t kStarts = 4;
+  std::ranges::sort(valleys, {}, &Wave::limit);
+  valleys.resize(std::min(kStarts, valleys.size()));
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Wave& valley : valleys) smallest = std::min(smallest, refined(limit, valley, WaveGrid::kStride / 2).limit);
   return std::isfinite(smallest) ? smallest : kNone;
 }
 

@@ -1,0 +1,161 @@
+// `tyg plot`: x, y, z of chosen particles against time, as rows, a gnuplot script, and pictures where gnuplot is there.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "app/command_line.h"
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "app/option_checks.h"
+#include "app/progress.h"
+#include "core/whole_file.h"
+#include "study/gnuplot.h"
+#include "study/trajectory_plot.h"
+#include "tyg/methods.h"
+
+namespace tyg {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostParticles = 6;
+constexpr const char* kUsualMethods = "symplectic-euler,report-rk4,rk4";
+
+struct PlotOptions {
+  SceneOptions scene;
+  std::string particles, methods, out = "out";
+};
+
+constexpr const char* kExamples =
+    "The lowest panel shows how far each method is from the one of the highest order, on a logarithmic axis. A run "
+    "that\n"
+    "fails stays in the chart, marked with a cross. Where gnuplot is missing, rows and script are written all the "
+    "same.\n\n"
+    "Examples:\n"
+    "  tyg plot four-particles                  the 2017 report's Euler beside its Runge-Kutta and the true one\n"
+    "  tyg plot poke --particles middle,bottom-left --methods leapfrog,rk4 --dt 0.004\n"
+    "  tyg plot curtain --particles 5:10,middle --out charts";
+
+std::vector<ChartedParticle> chosenParticles(const Scene& scene, const std::string& list) {
+  if (list.empty()) return usualParticles(scene);
+  std::vector<ChartedParticle> particles;
+  for (const std::string& name : splitList(list)) particles.push_back(chartedParticle(scene, name));
+  if (particles.empty() || particles.size() > kMostParticles) {
+    throw InputError("--particles: found " + std::to_string(particles.size()) + " names, allowed are 1 to " +
+                     std::to_string(kMostParticles) + " with commas between");
+  }
+  return particles;
+}
+
+std::vector<const Method*> chosenMethods(const PlotOptions& options) {
+  std::string list = options.methods;
+  if (list.empty()) list = options.scene.integrator.value_or(kUsualMethods);
+  std::vector<const Method*> chosen;
+  for (const std::string& name : splitList(list)) {
+    const Method* method = &findMethod(name);
+    if (std::ranges::find(chosen, method) == chosen.end()) chosen.push_back(method);
+  }
+  if (chosen.empty()) throw InputError("--methods: found no name, allowed are methods' names with commas between");
+  return chosen;
+}
+
+/// The folder, made where it is missing. Throws InputError where that cannot be done.
+fs::path chosenFolder(const std::string& name) {
+  std::error_code error;
+  fs::create_directories(name, error);
+  if (!fs::is_directory(name)) {
+    throw InputError("--out: found '" + name + "', allowed is a folder that exists or can be made (" + error.message() +
+                     ")");
+  }
+  for (const char* file : {"plot.csv", "plot.gp", "plot.svg", "plot.png"}) checkWritable(fs::path(name) / file);
+  return name;
+}
+
+TrajectoryStudy followed(const Scene& scene, const PlotOptions& options) {
+  const std::vector<const Method*> methods = chosenMethods(options);
+  Progress progress("tyg plot " + scene.name);
+  return followParticles(scene, chosenParticles(scene, options.particles), methods, options.scene.threads.value_or(0),
+                         [&](std::size_t run, double time) {
+                           progress.show((double(run) + time / scene.duration) / double(methods.size()));
+                           return !interrupted();
+                         });
+}
+
+void sayWhatFailed(const TrajectoryStudy& study) {
+  for (const Trajectory& run : study.runs) {
+    if (run.status == Status::Ok) continue;
+    std::cerr << "tyg plot: " << run.method->name << " with a step of " << study.scene.dt << " s was "
+              << nameOf(run.status) << " at t = " << run.failedAt << " s; its curve ends there" << std::endl;
+  }
+}
+
+int draw(const fs::path& folder) {
+  WholeFile svg(folder / "plot.svg"), png(folder / "plot.png");
+  const GnuplotOutcome outcome = runGnuplot(folder, "plot.gp",
+                                            {"svg=" + gnuplotQuoted(svg.temporary().filename().string()),
+                                             "png=" + gnuplotQuoted(png.temporary().filename().string())});
+  if (interrupted()) return kInterrupted;
+  if (outcome.kind == GnuplotOutcome::Kind::Missing) {
+    std::cout << "gnuplot is not installed: " << (folder / "plot.csv").string() << " and "
+              << (folder / "plot.gp").string() << " are written;\nwith it, `cd " << folder.string()
+              << " && gnuplot plot.gp` draws plot.svg and plot.png" << std::endl;
+    return kDone;
+  }
+  if (outcome.kind == GnuplotOutcome::Kind::Failed) {
+    std::cerr << "tyg plot: gnuplot could not draw " << (folder / "plot.gp").string() << ":\n"
+              << outcome.message << "allowed is a gnuplot 5 with the terminals svg and pngcairo" << std::endl;
+    return kWrongInput;
+  }
+  svg.keep();
+  png.keep();
+  for (const char* file : {"plot.csv", "plot.gp", "plot.svg", "plot.png"}) {
+    std::cout << (folder / file).string() << "\n";
+  }
+  std::cout << std::flush;
+  return kDone;
+}
+
+int plot(const PlotOptions& options) {
+  const Scene scene = chosenScene(options.scene);
+  chosenMethods(options);
+  chosenParticles(scene, options.particles);
+  const fs::path folder = chosenFolder(options.out);
+
+  const InterruptWatch watch;
+  const TrajectoryStudy study = followed(scene, options);
+  if (interrupted()) {
+    std::cerr << "\ntyg plot: interrupted; nothing was written" << std::endl;
+    return kInterrupted;
+  }
+  sayWhatFailed(study);
+  writeWholeFile(folder / "plot.csv", trajectoryCsv(study));
+  writeWholeFile(folder / "plot.gp", trajectoryScript(study));
+  return draw(folder);
+}
+
+}  // namespace
+
+void addPlotCommand(CLI::App& app, Action& action) {
+  CLI::App* command =
+      app.add_subcommand("plot", "Chart x, y, z of chosen particles against time, by one or more methods");
+  const auto options = std::make_shared<PlotOptions>();
+  addSceneOptions(*command, options->scene);
+  command
+      ->add_option(
+          "--particles", options->particles,
+          "Which particles: top-left, top-right, bottom-left, bottom-right, middle, or COLUMN:ROW; at most six "
+          "[those drawn out or pushed, else bottom-left and middle]")
+      ->type_name("NAME,...");
+  command
+      ->add_option("--methods", options->methods,
+                   std::string("Which methods (tyg list shows them) [--integrator, else ") + kUsualMethods + "]")
+      ->type_name("NAME,...");
+  command->add_option("--out", options->out, "Folder for plot.csv, plot.gp, plot.svg and plot.png [out]")
+      ->type_name("DIR");
+  command->footer(kExamples);
+  command->callback([options, &action] { action = [options] { return plot(*options); }; });
+}
+
+}  // namespace tyg

@@ -1,0 +1,29 @@
+// Draws charts with gnuplot, where it is installed.
+// Must not know: what is drawn.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tyg {
+
+struct GnuplotOutcome {
+  enum class Kind { Drawn, Missing, Failed };
+  Kind kind = Kind::Drawn;
+  std::string message;  ///< what gnuplot said, or why it could not be started
+};
+
+/// Runs `gnuplot -e DEFINITIONS SCRIPT` in `folder` and waits for it; no shell is involved. `script` is a file in that
+/// folder, `definitions` are gnuplot assignments such as png='a.png'.
+GnuplotOutcome runGnuplot(const std::filesystem::path& folder, const std::string& script,
+                          const std::vector<std::string>& definitions);
+
+/// A text as a gnuplot string literal: single quotes, those inside doubled.
+std::string gnuplotQuoted(const std::string& text);
+
+/// A colour for the k-th of several things, from the palette of Okabe and Ito (2008), which colour-blind people can
+/// tell apart; starts again after seven.
+std::string chartColour(std::size_t k);
+
+}  // namespace tyg
