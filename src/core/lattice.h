@@ -1,0 +1,54 @@
+// The waves of a sheet at rest, taken as unbounded: how fast each oscillates and how strongly it is damped.
+// Must not know: methods, deformed states. Pins and edges can only make the true spectrum smaller.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "tyg/scene.h"
+
+namespace tyg {
+
+/// x'' + d x' + w2 x = 0.
+struct Mode {
+  double w2 = 0;  ///< 1/s2
+  double d = 0;   ///< 1/s
+};
+
+/// The lattice symbols of a scene (model, section 8): springs along one axis give 2 k (1 - cos q) there; both diagonals
+/// together give the shear terms. Only springs that the sheet has room for count.
+class Lattice {
+ public:
+  explicit Lattice(const Scene& scene);
+
+  /// A lattice of one row or column carries waves along itself only.
+  [[nodiscard]] bool wide() const { return wide_; }
+  [[nodiscard]] bool tall() const { return tall_; }
+
+  /// The modes of the wave with phase qx from column to column and qy from row to row, each in [0, pi]. In plane two; out
+  /// of plane springs at rest do not pull and only damping is left. Under the axial law damping and stiffness need not
+  /// share their eigenvectors: each in-plane mode then comes twice, with the largest damping of its wave, which errs on
+  /// the safe side where damping costs steps, and with the damping of its own direction, which is exact where the
+  /// eigenvectors agree and counts where damping is what keeps a method stable.
+  [[nodiscard]] std::array<Mode, 5> modes(double qx, double qy) const;
+
+ private:
+  /// One constant (stiffness or damping) of every family, over the particle mass.
+  struct Constants {
+    double structuralX = 0, structuralY = 0, shear = 0, bendX = 0, bendY = 0;
+  };
+  struct Symbol;
+  static Constants constantsOf(const Scene& scene, double SpringFamily::*constant);
+  static Symbol inPlane(const Constants& k, double qx, double qy);
+  static double everyWay(const Constants& k, double qx, double qy);
+
+  bool wide_, tall_;
+  Damping law_;
+  double drag_;  // 1/s
+  Constants stiffness_, damping_;
+};
+
+/// The modes of all waves on a grid of `intervals` + 1 phases an axis over [0, pi].
+std::vector<Mode> sampledModes(const Scene& scene, int intervals);
+
+}  // namespace tyg
