@@ -22,6 +22,8 @@ std::unique_ptr<Integrator<T>> makeBs32(const Scene& scene, const Sheet& sheet);
 template <class T>
 std::unique_ptr<Integrator<T>> makeDopri54(const Scene& scene, const Sheet& sheet);
 template <class T>
+std::unique_ptr<Integrator<T>> makeRkc2(const Scene& scene, const Sheet& sheet);
+template <class T>
 std::unique_ptr<Integrator<T>> makeImex(const Scene& scene, const Sheet& sheet);
 template <class T>
 std::unique_ptr<Integrator<T>> makeBackwardEuler(const Scene& scene, const Sheet& sheet);
@@ -37,5 +39,7 @@ double stableStepRk4(double w2, double d);
 double stableStepBs32(double w2, double d);
 double stableStepDopri54(double w2, double d);
 double stableStepImex(double w2, double d);
+/// The same for all modes of the scene's sheet at rest at once.
+double stableStepRkc2(const Scene& scene);
 
 }  // namespace tyg

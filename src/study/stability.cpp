@@ -93,6 +93,10 @@ class WaveGrid {
 
 double restLatticeLimit(const Scene& scene, const Method& method) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  if (method.stableStepOfScene != nullptr) {
+    const double limit = method.stableStepOfScene(scene);
+    return std::isfinite(limit) ? limit : kNone;
+  }
   if (method.stableStep == nullptr) return kNone;
   const WaveLimit limit(scene, method);
   std::vector<Wave> valleys = WaveGrid(limit).valleys();

@@ -1,0 +1,132 @@
+// Second-order Runge-Kutta-Chebyshev (Sommeijer, Shampine, Verwer, "RKC: an explicit solver for parabolic PDEs", 1998,
+// eq. 2.1-2.4): more stages instead of smaller steps where damping rules. With y = (x, v), F = (v, force / m):
+//   Y1 = Y0 + m1 h F0;  Yj = (1 - mu - nu) Y0 + mu Y(j-1) + nu Y(j-2) + mt h F(j-1) + gt h F0;  y' = Ys
+// The stages are the fewest for which every wave of the sheet at rest stays bounded; where none do, the method is past
+// its limit and takes as many as the step alone asks of the fastest damped wave.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/field_ops.h"
+#include "integrators/chebyshev.h"
+#include "integrators/chebyshev_table.h"
+#include "integrators/factories.h"
+
+namespace tyg {
+namespace {
+
+constexpr int kIntervals = 24;  // of the grid of waves, an axis
+
+template <class T>
+class Rkc2 final : public Integrator<T> {
+ public:
+  Rkc2(const Scene& scene, const Sheet& sheet) : modes_(sampledModes(scene, kIntervals)) {
+    const Layout layout(sheet);
+    for (State<T>* stage : {&before_, &now_, &next_}) *stage = State<T>(layout);
+    force0_ = force_ = VectorField<T>(layout);
+  }
+
+  void step(Forces<T>& forces, State<T>& state, double h) override {
+    if (h != tableFor_) chooseStages(h);
+    const ChebyshevTable& c = *table_;
+    const double kick = forces.inverseMass();
+    forces.evaluate(state.position, state.velocity, force0_);
+    const double power0 = forces.power();
+    const double m1 = c.b[1] * c.w1;
+    before_ = state;
+    moveFirst(forces, state, m1 * h, kick);
+    double spent = m1 * power0, spentBefore = 0;  // the dissipated energy over h, as one more component of y
+    for (int j = 2; j <= stages_; ++j) {
+      const auto at = [&](int k) { return std::size_t(k); };
+      const double mu = 2 * c.b[at(j)] * c.w0 / c.b[at(j - 1)], nu = -c.b[at(j)] / c.b[at(j - 2)];
+      const double mt = 2 * c.b[at(j)] * c.w1 / c.b[at(j - 1)];
+      const double gt = -(1 - c.b[at(j - 1)] * c.value[at(j - 1)]) * mt;
+      forces.evaluate(now_.position, now_.velocity, force_);
+      const double spentNext = mu * spent + nu * spentBefore + mt * forces.power() + gt * power0;
+      moveNext(forces, state, {mu, nu, mt * h, gt * h}, kick);
+      std::swap(before_, now_);
+      std::swap(now_, next_);
+      spentBefore = spent;
+      spent = spentNext;
+    }
+    forces.addDissipated(h * spent);
+    std::swap(state, now_);
+  }
+  [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<Rkc2>(*this); }
+
+ private:
+  struct Weights {
+    double mu, nu, mt, gt;  // the last two in seconds
+  };
+
+  void chooseStages(double h) {
+    stages_ = chebyshevStages(modes_, h);
+    if (stages_ == 0) stages_ = 2;
+    table_ = std::make_shared<const ChebyshevTable>(stages_);
+    tableFor_ = h;
+  }
+
+  /// now = y + c F0.
+  void moveFirst(Forces<T>& forces, const State<T>& state, double c, double kick) {
+    const T cx = T(c), cv = T(c * kick);
+    const T *x = state.position.x(), *v = state.velocity.x(), *f0 = force0_.x();
+    T *toX = now_.position.x(), *toV = now_.velocity.x();
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
+      for (std::ptrdiff_t i = begin; i < end; ++i) {
+        toX[i] = x[i] + cx * v[i];
+        toV[i] = v[i] + cv * f0[i];
+      }
+    });
+  }
+
+  /// next = y + mu (now - y) + nu (before - y) + mt F(now) + gt F0: sums of differences keep rounding small.
+  void moveNext(Forces<T>& forces, const State<T>& state, const Weights& w, double kick) {
+    const T mu = T(w.mu), nu = T(w.nu), mtX = T(w.mt), gtX = T(w.gt), mtV = T(w.mt * kick), gtV = T(w.gt * kick);
+    const T *x = state.position.x(), *v = state.velocity.x(), *f0 = force0_.x(), *f = force_.x();
+    const T *nowX = now_.position.x(), *nowV = now_.velocity.x();
+    const T *beforeX = before_.position.x(), *beforeV = before_.velocity.x();
+    T *toX = next_.position.x(), *toV = next_.velocity.x();
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
+      for (std::ptrdiff_t i = begin; i < end; ++i) {
+        toX[i] = x[i] + (mu * (nowX[i] - x[i]) + nu * (beforeX[i] - x[i]) + mtX * nowV[i] + gtX * v[i]);
+        toV[i] = v[i] + (mu * (nowV[i] - v[i]) + nu * (beforeV[i] - v[i]) + mtV * f[i] + gtV * f0[i]);
+      }
+    });
+  }
+
+  std::vector<Mode> modes_;
+  State<T> before_, now_, next_;
+  VectorField<T> force0_, force_;
+  int stages_ = 2;
+  double tableFor_ = 0;  // s, the step that table_ was made for
+  std::shared_ptr<const ChebyshevTable> table_;
+};
+
+}  // namespace
+
+// Doubled from far below until no number of stages holds every wave, then bisected.
+double stableStepRkc2(const Scene& scene) {
+  const std::vector<Mode> modes = sampledModes(scene, kIntervals);
+  const auto holds = [&](double h) { return chebyshevStages(modes, h) != 0; };
+  double fastest = 0;
+  for (const Mode& mode : modes) fastest = std::max({fastest, std::sqrt(mode.w2), mode.d});
+  if (fastest == 0) return std::numeric_limits<double>::infinity();
+  double inside = 1e-6 / fastest;
+  if (!holds(inside)) return 0;
+  while (inside < 1e3 && holds(2 * inside)) inside *= 2;
+  double outside = 2 * inside;
+  for (int k = 0; k < 30; ++k) {
+    const double middle = (inside + outside) / 2;
+    (holds(middle) ? inside : outside) = middle;
+  }
+  return inside;
+}
+
+template <class T>
+std::unique_ptr<Integrator<T>> makeRkc2(const Scene& scene, const Sheet& sheet) {
+  return std::make_unique<Rkc2<T>>(scene, sheet);
+}
+template std::unique_ptr<Integrator<float>> makeRkc2(const Scene&, const Sheet&);
+template std::unique_ptr<Integrator<double>> makeRkc2(const Scene&, const Sheet&);
+
+}  // namespace tyg
