@@ -19,7 +19,7 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 [[gnu::format(printf, 1, 2)]] std::string line(const char* format, ...) {
-  std::array<char, 400> text{};
+  std::array<char, 1000> text{};
   std::va_list values;
   va_start(values, format);
   std::vsnprintf(text.data(), text.size(), format, values);
@@ -68,11 +68,16 @@ std::vector<double> pushEdges(const Scene& scene) {
   return edges;
 }
 
+std::string accuracyAsked(const Simulation& simulation) {
+  if (simulation.method().adaptive) return line("a tolerance of %.6g m", simulation.scene().tolerance);
+  return line("a step of %.6g s", simulation.dt());
+}
+
 std::string sizeAndMethod(const Simulation& simulation) {
   const Scene& scene = simulation.scene();
-  return line("%s: %d x %d particles, %s with a step of %.6g s, %s, %d thread%s", scene.title.c_str(), scene.columns,
-              scene.rows, name(simulation.method()).c_str(), simulation.dt(), precisionName(scene),
-              simulation.threads(), simulation.threads() == 1 ? "" : "s");
+  return scene.title + line(": %d x %d particles, %s with %s, %s, %d thread%s", scene.columns, scene.rows,
+                            name(simulation.method()).c_str(), accuracyAsked(simulation).c_str(), precisionName(scene),
+                            simulation.threads(), simulation.threads() == 1 ? "" : "s");
 }
 
 std::string energyLines(const FinishedRun& run) {
@@ -167,27 +172,27 @@ std::string failureAdvice(const FinishedRun& run) {
   const Method& method = simulation.method();
   const double step = simulation.largestStep(), limit = run.stableStep;
   const bool finite = simulation.status() == Status::Unstable;
-  std::string text = line("%s with a step of %.6g s %s at t = %.6g s. ", name(method).c_str(), step,
-                          finite ? "became unstable (the cloth gained energy by itself)" : "left the numbers' range",
-                          simulation.alarmTime());
-  if (limit == 0) {
-    text += "No step is predicted to be stable for it here: it needs damping to hold. Try ";
-  } else if (limit < step) {
-    text += line("The predicted limit at rest is %.4g s. Try --dt %.2g", limit, roundedDown(0.9 * limit));
-  } else if (std::isnan(limit)) {
-    text += line("No limit is predicted for it. Try --dt %.2g", roundedDown(step / 2));
-  } else {
-    text += line("The predicted limit at rest, %.4g s, was kept, but a cloth far from rest allows less. Try --dt %.2g",
-                 limit, roundedDown(step / 2));
+  const std::string what =
+      line("%s with steps of %.6g s %s at t = %.6g s. ", name(method).c_str(), step,
+           finite ? "became unstable (the cloth gained energy by itself)" : "left the range of the numbers",
+           simulation.alarmTime());
+  if (method.adaptive) return what + line("Try --tolerance %.2g", simulation.scene().tolerance / 10) + ".";
+  if (std::isnan(limit)) return what + line("No limit is predicted for it. Try --dt %.2g.", roundedDown(step / 2));
+  if (limit >= step) {
+    return what + line(
+                      "The predicted limit of the sheet at rest, %.4g s, was kept, but a cloth far from rest allows "
+                      "less. Try --dt %.2g.",
+                      limit, roundedDown(step / 2));
   }
-  if (limit > step || std::isnan(limit)) return text + ".";
   const Method* other = methodThatHolds(simulation.scene(), method, step);
-  if (other != nullptr) {
-    text += (limit == 0 ? "" : ", or ") + ("--integrator " + name(*other)) + ", predicted to hold with this step";
-  } else if (limit == 0) {
-    text += "another method with a smaller step";
+  const std::string advice =
+      other == nullptr ? "" : "--integrator " + name(*other) + ", predicted to hold with this step";
+  if (limit == 0) {
+    return what + "No step is predicted to be stable for it here: it holds only where damping is strong enough. Try " +
+           (advice.empty() ? "another method with a smaller step" : advice) + ".";
   }
-  return text + ".";
+  return what + line("The predicted limit at rest is %.4g s. Try --dt %.2g", limit, roundedDown(0.9 * limit)) +
+         (advice.empty() ? "" : ", or " + advice) + ".";
 }
 
 }  // namespace tyg

@@ -14,7 +14,8 @@ namespace {
 
 // In pixels of the PNG, and of the SVG before it is scaled.
 constexpr double kColumnWidth = 1180, kSingleWidth = 1600, kPanelHeight = 270, kGap = 36;
-constexpr double kLeft = 170, kRight = 50, kTop = 210, kBottom = 110;
+constexpr double kLeft = 190, kRight = 50, kBottom = 110;
+constexpr double kHead = 150, kLegendRow = 44, kSampleWidth = 120, kCharacterWidth = 11.5;
 
 constexpr std::array kCoordinates{&Vec3::x, &Vec3::y, &Vec3::z};
 constexpr std::array kNames{"x", "y", "z"};
@@ -81,10 +82,14 @@ class Script {
       anyDistance_ |= !distanceRange(study, p).empty();
     if (anyDistance_) rows_.push_back({std::nullopt});
     width_ = study.particles.size() == 1 ? kSingleWidth : kColumnWidth * double(study.particles.size());
-    height_ = kTop + kBottom + double(rows_.size()) * (kPanelHeight + kGap) - kGap;
+    const std::size_t legendRows = (study.runs.size() + legendColumns() - 1) / legendColumns();
+    const double columnHeads = study.particles.size() > 1 ? 40 : 0;
+    top_ = kHead + kLegendRow * double(legendRows) + columnHeads;
+    height_ = top_ + kBottom + double(rows_.size()) * (kPanelHeight + kGap) - kGap;
   }
 
   std::string text() {
+    out_.precision(12);  // an axis may be short and far from zero
     head();
     for (std::size_t row = 0; row < rows_.size(); ++row) {
       for (std::size_t p = 0; p < study_.particles.size(); ++p) panel(row, p);
@@ -106,6 +111,8 @@ class Script {
     const Scene& scene = study_.scene;
     std::ostringstream text;
     text << scene.columns << " x " << scene.rows << " particles, steps of " << scene.dt << " s";
+    const auto isAdaptive = [](const Trajectory& run) { return run.method->adaptive; };
+    if (std::ranges::any_of(study_.runs, isAdaptive)) text << " (adaptive ones: within " << scene.tolerance << " m)";
     if (!still_.empty()) text << "; " << still_ << (still_.size() > 1 ? " do" : " does") << " not change";
     return text.str();
   }
@@ -121,16 +128,15 @@ class Script {
             "if (!exists('svg')) svg = 'plot.svg'\n"
             "if (!exists('png')) png = 'plot.png'\n"
             "set datafile separator comma\n"
-            "do for [kind in 'svg png'] {\n"
-            "  size = kind eq 'svg' ? 'svg dynamic' : 'pngcairo'\n";
+            "do for [kind in 'svg png'] {\n";
     out_ << "  if (kind eq 'svg') { set terminal svg size " << width_ << "," << height_
-         << " dynamic noenhanced background '#ffffff' font 'DejaVu Sans,22' } else { set terminal pngcairo size "
-         << width_ << "," << height_ << " noenhanced background '#ffffff' font 'DejaVu Sans,17' }\n"
+         << " dynamic enhanced background '#ffffff' font 'DejaVu Sans,22' } else { set terminal pngcairo size "
+         << width_ << "," << height_ << " enhanced background '#ffffff' font 'DejaVu Sans,17' }\n"
          << "  set output kind eq 'svg' ? svg : png\n"
             "  set multiplot\n"
             "  set border 3 lc '#444444' lw 1.5\n"
             "  set tics out nomirror textcolor '#222222'\n"
-            "  set grid lc '#dddddd' lw 1\n";
+            "  set grid lt 1 lc '#d0d0d0' lw 1\n  unset key\n";
     out_ << "  set xrange [0:" << study_.scene.duration << "]\n";
     label(title(), kLeft / width_, 1 - 45 / height_, "left", 1.35);
     label(subtitle(), kLeft / width_, 1 - 95 / height_, "left", 1.0, "#555555");
@@ -139,12 +145,13 @@ class Script {
   void label(const std::string& text, double x, double y, const char* where, double scale,
              const char* colour = "#000000") {
     out_ << "  set label " << gnuplotQuoted(text) << " at screen " << x << "," << y << " " << where
-         << " font sprintf(',%g', (kind eq 'svg' ? 22 : 17) * " << scale << ") textcolor '" << colour << "'\n";
+         << " font sprintf(',%g', (kind eq 'svg' ? 22 : 17) * " << scale << ") textcolor '" << colour
+         << "' noenhanced\n";
   }
 
   void panel(std::size_t row, std::size_t p) {
     const double columnWidth = width_ / double(study_.particles.size());
-    const double top = 1 - (kTop + double(row) * (kPanelHeight + kGap)) / height_;
+    const double top = 1 - (top_ + double(row) * (kPanelHeight + kGap)) / height_;
     out_ << "  set lmargin at screen " << (double(p) * columnWidth + kLeft) / width_ << "\n  set rmargin at screen "
          << (double(p + 1) * columnWidth - kRight) / width_ << "\n  set tmargin at screen " << top
          << "\n  set bmargin at screen " << top - kPanelHeight / height_ << "\n";
@@ -156,15 +163,10 @@ class Script {
     } else {
       out_ << "  unset xlabel\n  set format x ''\n";
     }
-    if (row == 0 && p == 0) {
-      out_ << "  set key at screen " << kLeft / width_ << "," << 1 - 150 / height_
-           << " left center horizontal Left reverse samplen 4 spacing 1.2 maxrows 1\n";
-    } else {
-      out_ << "  unset key\n";
-    }
+    if (row == 0 && p == 0) legend();
     axis(rows_[row], p);
     curves(rows_[row], p);
-    out_ << "  unset label\n";
+    out_ << "  unset label\n  unset arrow\n";
   }
 
   void axis(const Row& row, std::size_t p) {
@@ -180,11 +182,16 @@ class Script {
       return;
     }
     const Range range = distanceRange(study_, p);
-    out_ << "  set logscale y\n  set format y '10^{%T}'\n  set ylabel 'distance from\\n"
-         << study_.runs[study_.finest].method->label << " (m)'\n";
-    range.empty()
-        ? out_ << "  set yrange [*:*]\n"
-        : out_ << "  set yrange [" << std::max(range.low, range.high * 1e-6) << ":" << range.high * 2 << "]\n";
+    out_ << "  set logscale y\n  set format y '10^{%T}'\n  set ylabel \"distance from\\n"
+         << study_.runs[study_.finest].method->label << " (m)\"\n";
+    if (range.empty()) {
+      out_ << "  set yrange [*:*]\n";
+      return;
+    }
+    // Whole decades, so that there are labelled tics; curves that cross dip without end and are cut four decades down.
+    const double high = std::ceil(std::log10(1.1 * range.high));
+    const double low = std::max(std::floor(std::log10(range.low)), high - 4);
+    out_ << "  set yrange [1e" << low << ":1e" << high << "]\n";
   }
 
   /// A cross where a run that failed was last seen.
@@ -195,7 +202,7 @@ class Script {
       const double last = run.ways[p].back().*kCoordinates.at(coordinate);
       out_ << "  set label '' at first " << run.times.back() << ","
            << (std::isfinite(last) ? std::clamp(last, shown.low, shown.high) : shown.high)
-           << " point pt 2 ps 2.5 lw 4 lc '" << chartColour(k) << "' front\n";
+           << " point pt 2 ps 2.5 lw 4 lc '" << colour(k) << "' front\n";
     }
   }
 
@@ -209,24 +216,53 @@ class Script {
     out_ << "\n";
   }
 
-  /// The finest run is a broad band below the others' dashes, so that curves on top of each other all show.
   void curve(std::size_t k, std::size_t p, int column, const char* before) {
+    out_ << before << "'plot.csv' skip 1 using (strcol(1) eq '" << study_.runs[k].method->name << "' && strcol(2) eq "
+         << gnuplotQuoted(study_.particles[p].label) << " ? $3 : NaN):" << column << " with lines " << style(k);
+  }
+
+  /// The finest run is a broad band below the others' dashes, so that curves on top of each other all show.
+  [[nodiscard]] std::string style(std::size_t k) const {
+    if (k == study_.finest) return "lw 9 dt 1 lc '" + colour(k) + "'";
+    constexpr std::array kDashes{"(9,5)", "(3,3)", "(9,4,2,4)", "(16,5)"};
+    return std::string("lw 4 dt ") + kDashes.at(k % kDashes.size()) + " lc '" + colour(k) + "'";
+  }
+  [[nodiscard]] std::string colour(std::size_t k) const { return k == study_.finest ? "#b0b0b0" : chartColour(k); }
+
+  [[nodiscard]] std::string nameOfRun(std::size_t k) const {
     const Trajectory& run = study_.runs[k];
-    const bool finest = k == study_.finest;
     std::ostringstream name;
     name << run.method->label;
     if (run.status != Status::Ok) name << " (" << nameOf(run.status) << " at " << run.failedAt << " s)";
-    out_ << before << "'plot.csv' skip 1 using (strcol(1) eq '" << run.method->name << "' && strcol(2) eq "
-         << gnuplotQuoted(study_.particles[p].label) << " ? $3 : NaN):" << column << " with lines lw "
-         << (finest ? 7 : 3) << " dt " << (finest ? 1 : 1 + static_cast<int>(k % 4) + 1) << " lc '"
-         << (finest ? "#56B4E9" : chartColour(k)) << "' title " << gnuplotQuoted(name.str());
+    return name.str();
+  }
+
+  /// How many entries of the legend fit beside each other.
+  [[nodiscard]] std::size_t legendColumns() const {
+    std::size_t longest = 0;
+    for (std::size_t k = 0; k < study_.runs.size(); ++k) longest = std::max(longest, nameOfRun(k).size());
+    const double fit = (width_ - kLeft - kRight) / (kSampleWidth + kCharacterWidth * double(longest));
+    return std::clamp<std::size_t>(static_cast<std::size_t>(fit), 1, study_.runs.size());
+  }
+
+  /// gnuplot's own key breaks its rows where it likes; this one keeps the order of the methods.
+  void legend() {
+    const std::size_t columns = legendColumns();
+    const double entryWidth = (width_ - kLeft - kRight) / double(std::max<std::size_t>(columns, 3));
+    for (std::size_t k = 0; k < study_.runs.size(); ++k) {
+      const double x = kLeft + entryWidth * double(k % columns);
+      const double y = 1 - (kHead + kLegendRow * double(k / columns)) / height_;
+      out_ << "  set arrow from screen " << x / width_ << "," << y << " to screen " << (x + kSampleWidth - 30) / width_
+           << "," << y << " nohead " << style(k) << "\n";
+      label(nameOfRun(k), (x + kSampleWidth - 15) / width_, y, "left", 1.0);
+    }
   }
 
   const TrajectoryStudy& study_;
   std::vector<Row> rows_;
   std::string still_;
   bool anyDistance_ = false;
-  double width_ = 0, height_ = 0;
+  double width_ = 0, height_ = 0, top_ = 0;
   std::ostringstream out_;
 };
 
