@@ -280,8 +280,8 @@ struct Simulation::Body {
   }
 
   void useMethod(const Method& method) {
+    motion->useMethod(method);  // first: it may refuse the scene
     run().method = &method;
-    motion->useMethod(method);
     note({.kind = LogEvent::Kind::Method, .method = std::string(method.name)});
   }
 

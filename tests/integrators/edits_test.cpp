@@ -1,0 +1,151 @@
+// A moving simulation that is edited, saved, restored and replayed: nothing of the past may leak into a step.
+#include <gtest/gtest.h>
+
+#include "test_systems.h"
+#include "tyg/methods.h"
+#include "tyg/simulation.h"
+
+namespace tyg::test {
+namespace {
+
+/// A sheet in steps of a power of two seconds, so that whole ticks are exact in binary.
+Scene tickingSheet() {
+  Scene scene = softSheet(Damping::Relative);
+  scene.dt = 1.0 / 256;
+  scene.tolerance = 0;  // adaptive methods take steps of dt
+  return scene;
+}
+
+void tick(Simulation& simulation, int times) {
+  for (int n = 0; n < times; ++n) simulation.tick();
+}
+
+constexpr int kMiddle = 7;
+constexpr Vec3 kPush{3, -1, 2};
+
+TEST(Edits, PushThenStepEqualsAFreshIntegratorsStepBitForBit) {
+  for (const Method& method : methods()) {
+    Simulation simulation(tickingSheet(), method);
+    tick(simulation, 20);
+    Bench<double> fresh(simulation.scene());
+    for (int i = 0; i < fresh.sheet.count(); ++i) {
+      fresh.state.position.set(i, simulation.position(i));
+      fresh.state.velocity.set(i, simulation.velocity(i));
+    }
+    fresh.forces.addPush(kMiddle, kPush);
+    fresh.advance(method, simulation.dt(), 1);
+    simulation.push(kMiddle, kPush, 1);
+    simulation.tick();
+    EXPECT_EQ(simulation.hash(), hashOf(fresh.state)) << method.name;
+  }
+}
+
+TEST(Edits, APushActsForItsTicksAndNoLonger) {
+  Scene scene = emptyWorld(1, 1);
+  scene.dt = 1.0 / 64;
+  scene.tolerance = 0;
+  for (const Method& method : methods()) {
+    Simulation simulation(scene, method);
+    simulation.push(0, {2, 0, 0}, 3);
+    tick(simulation, 3);
+    const double pushed = simulation.velocity(0).x;
+    tick(simulation, 5);
+    EXPECT_NEAR(pushed, 2 * 3 * scene.dt, method.name == "report-rk4" ? 0.01 * pushed : 1e-15) << method.name;
+    EXPECT_EQ(simulation.velocity(0).x, pushed) << method.name;
+  }
+}
+
+TEST(Edits, ARestoredMomentGoesOnWithTheSameBits) {
+  for (const Precision precision : {Precision::Float, Precision::Double}) {
+    for (const Method& method : methods()) {
+      Scene scene = tickingSheet();
+      scene.precision = precision;
+      scene.tolerance = 1e-5;  // adaptive methods step freely and keep their step
+      Simulation simulation(scene, method);
+      simulation.push(kMiddle, kPush, 40);
+      tick(simulation, 20);
+      const Snapshot moment = simulation.save();
+      EXPECT_EQ(moment.time(), simulation.time());
+      tick(simulation, 50);
+      const std::uint64_t first = simulation.hash();
+      const std::int64_t evaluations = simulation.forceEvaluations();
+      simulation.push(2, kPush, 3);
+      simulation.useStep(1.0 / 128);
+      simulation.useMethod(findMethod("explicit-euler"));
+      tick(simulation, 9);
+      simulation.restore(moment);
+      EXPECT_EQ(simulation.ticks(), 20);
+      EXPECT_EQ(simulation.log().events.size(), 1U);
+      tick(simulation, 50);
+      EXPECT_EQ(simulation.hash(), first) << method.name;
+      EXPECT_EQ(simulation.forceEvaluations(), evaluations) << method.name;
+    }
+  }
+}
+
+TEST(Edits, AReplayedLogGivesTheSameBits) {
+  for (const Method& method : methods()) {
+    Scene scene = tickingSheet();
+    scene.tolerance = 1e-4;
+    scene.pushes = {{{"bottom-left"}, {0, 0, 2}, 0.1003, 0.05}};
+    Simulation live(scene, method);
+    tick(live, 10);
+    live.push(kMiddle, kPush, 12);
+    tick(live, 5);
+    live.push(3, {0, 0, -5}, 4);
+    live.useStep(0.0031);
+    tick(live, 20);
+    live.useMethod(findMethod("leapfrog"));
+    tick(live, 20);
+    live.useMethod(method);
+    live.push(kMiddle, kPush, 1);
+    tick(live, 10);
+
+    const PushLog log = parsePushLog(formatPushLog(live.log()), "log");
+    EXPECT_EQ(log.ticks, 65);
+    Simulation again(scene, method);
+    again.replay(log, methods());
+    for (std::int64_t n = 0; n < log.ticks; ++n) again.tick();
+    EXPECT_EQ(again.hash(), live.hash()) << method.name;
+    EXPECT_EQ(again.time(), live.time());
+    EXPECT_EQ(again.log(), live.log());
+  }
+}
+
+TEST(Edits, ALogOfAnotherSheetMethodStepOrPrecisionIsRefused) {
+  const Scene scene = tickingSheet();
+  const PushLog right = Simulation(scene, findMethod("rk4")).log();
+  std::vector<PushLog> wrong(5, right);
+  wrong[0].columns = 4;
+  wrong[1].integrator = "leapfrog";
+  wrong[2].dt = 0.5;
+  wrong[3].precision = Precision::Float;
+  wrong[4].events = {{.tick = 1, .particle = 12, .force = kPush, .ticks = 1}};
+  Simulation simulation(scene, findMethod("rk4"));
+  simulation.replay(right, methods());
+  for (const PushLog& log : wrong) EXPECT_THROW(simulation.replay(log, methods()), InputError);
+}
+
+TEST(Edits, AMethodThatCannotTakeTheSceneIsRefusedAndTheOldOneStays) {
+  Scene scene = softSheet(Damping::Axial);
+  EXPECT_THROW(Simulation(scene, findMethod("imex")), InputError);
+  Simulation simulation(scene, findMethod("rk4"));
+  simulation.tick();
+  EXPECT_THROW(simulation.useMethod(findMethod("imex")), InputError);
+  EXPECT_EQ(simulation.method().name, "rk4");
+  EXPECT_TRUE(simulation.log().events.empty());
+  simulation.tick();
+  EXPECT_EQ(simulation.status(), Status::Ok);
+}
+
+TEST(Edits, APushOnNobodyOrForNoTimeIsRefused) {
+  Simulation simulation(tickingSheet(), findMethod("rk4"));
+  EXPECT_THROW(simulation.push(-1, kPush, 1), InputError);
+  EXPECT_THROW(simulation.push(12, kPush, 1), InputError);
+  EXPECT_THROW(simulation.push(0, kPush, 0), InputError);
+  EXPECT_THROW(simulation.useStep(0), InputError);
+  EXPECT_THROW(simulation.useStep(-1), InputError);
+}
+
+}  // namespace
+}  // namespace tyg::test

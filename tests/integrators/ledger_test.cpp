@@ -1,0 +1,100 @@
+// The ledger of energy: what goes in, what is stored and what is taken add up, the better the smaller the step.
+#include <gtest/gtest.h>
+
+#include "test_systems.h"
+#include "tyg/methods.h"
+#include "tyg/simulation.h"
+
+namespace tyg::test {
+namespace {
+
+/// Damping, drag, gravity and a push whose edges no step divides.
+Scene busyScene(Damping damping) {
+  Scene scene = softSheet(damping);
+  scene.tolerance = 0;  // adaptive methods take steps of dt
+  scene.pushes = {{{"middle"}, {2, 1, -2}, 0.1 * std::sqrt(2.0), 0.1 * std::sqrt(7.0)}};
+  return scene;
+}
+
+Ledger ledgerAfter(const Scene& scene, const Method& method, double seconds) {
+  Simulation simulation(scene, method, {.ledger = true});
+  simulation.advanceTo(seconds);
+  return simulation.ledger();
+}
+
+TEST(Ledger, ClosesToTheOrderOfTheMethod) {
+  for (const Method& method : methods()) {
+    Scene scene = busyScene(Damping::Relative);
+    const auto drift = [&](double dt) {
+      scene.dt = dt;
+      return std::abs(ledgerAfter(scene, method, 1).drift);
+    };
+    const double dt = method.order == 1 ? 1.0 / 1024 : method.order == 2 ? 1.0 / 256 : 1.0 / 64;
+    const double coarse = drift(dt), fine = drift(dt / 4);
+    // Two halvings; a ledger may close better than its method's order, and at least to half an order below it.
+    EXPECT_LT(fine, coarse / std::pow(4, method.order - 0.5))
+        << method.name << " coarse " << coarse << " fine " << fine;
+    EXPECT_LT(coarse, 0.01) << method.name;
+  }
+}
+
+TEST(Ledger, KnowsTheWorkOfAPushOnAFreeParticle) {
+  Scene scene = emptyWorld(1, 1);
+  scene.particleMass = 2;
+  scene.dt = 0.01;
+  scene.pushes = {{{"middle"}, {3, 0, 4}, 0.25, 0.5}};
+  const Ledger ledger = ledgerAfter(scene, findMethod("rk4"), 1);
+  const double work = 5.0 / 2 * 5 * 0.5 * 0.5 / 2;  // force times (force / mass) t^2 / 2
+  EXPECT_NEAR(ledger.work, work, 1e-13);
+  EXPECT_NEAR(ledger.kinetic, work, 1e-13);
+  EXPECT_EQ(ledger.dissipated, 0);
+}
+
+TEST(Ledger, KnowsWhatDragTakes) {
+  Scene scene = freeFall();
+  scene.drag = 2;
+  scene.dt = 0.005;
+  const double d = scene.drag / scene.particleMass, t = 3, g = 9.81;
+  const double fallen = g / d * (t - (1 - std::exp(-d * t)) / d), speed = g / d * (1 - std::exp(-d * t));
+  const Ledger ledger = ledgerAfter(scene, findMethod("rk4"), t);
+  EXPECT_NEAR(ledger.gravitational, -g * fallen, 1e-8);
+  EXPECT_NEAR(ledger.kinetic, speed * speed / 2, 1e-8);
+  EXPECT_NEAR(ledger.dissipated, g * fallen - speed * speed / 2, 1e-8);
+}
+
+TEST(Ledger, TakesAllTheEnergyOfADampedSpringInTheEnd) {
+  Scene scene = oscillator(100, 5);
+  scene.displacements = {{{"top-right"}, {0.2, 0, 0}}};
+  scene.dt = 0.002;
+  const Ledger ledger = ledgerAfter(scene, findMethod("rk4"), 10);
+  const double stored = 100 * 0.2 * 0.2 / 2;
+  EXPECT_NEAR(ledger.dissipated, stored, 1e-8 * stored);
+  EXPECT_NEAR(ledger.elastic + ledger.kinetic, 0, 1e-15);
+  EXPECT_NEAR(ledger.maxStretch, 0.2, 1e-12);
+  EXPECT_NEAR(ledger.scale, stored + 100 * 0.01 * 0.01 / 2, 1e-12);
+}
+
+TEST(Ledger, OfAnUndampedSwingKeepsItsSumWithEachSecondOrderMethod) {
+  constexpr double kShare = 1e-4;  // of the scale: the bounded wobble of a second order method at h w = 0.05
+  Scene scene = softSheet(Damping::Relative);
+  scene.structural.kd = scene.shear.kd = scene.bend.kd = scene.drag = 0;
+  scene.dt = 0.004;
+  scene.tolerance = 1e-6;
+  for (const Method& method : methods()) {
+    if (method.order < 2) continue;
+    const Ledger ledger = ledgerAfter(scene, method, 3);
+    EXPECT_LE(std::abs(ledger.drift), kShare) << method.name;
+    EXPECT_EQ(ledger.dissipated, 0) << method.name;
+  }
+}
+
+TEST(Ledger, CostsNoBits) {
+  const Scene scene = busyScene(Damping::Axial);
+  Simulation with(scene, findMethod("rk4"), {.ledger = true}), without(scene, findMethod("rk4"));
+  with.advanceTo(1);
+  without.advanceTo(1);
+  EXPECT_EQ(with.hash(), without.hash());
+}
+
+}  // namespace
+}  // namespace tyg::test
