@@ -1,0 +1,184 @@
+// `tyg view`: opens the window and runs its frame loop, or draws off-screen where there is no display.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "app/command_line.h"
+#include "app/commands.h"
+#include "app/hud.h"
+#include "app/interrupt.h"
+#include "app/option_checks.h"
+#if __has_include("app/render.h")
+#include "app/render.h"
+#else
+namespace tyg {
+static int renderInstead(const Scene&) { return 0; }
+}  // namespace tyg
+#endif
+#include "app/view_log.h"
+#include "app/viewer.h"
+#include "app/window.h"
+#include "core/whole_file.h"
+#include "gfx/sheet_renderer.h"
+
+namespace tyg {
+namespace {
+
+constexpr int kMostPixels = 16384;
+/// While nothing moves the loop wakes this often, for the log's ten lines a second.
+constexpr double kIdleSeconds = 0.08;
+/// Frames come no faster than this where the screen sets no rhythm.
+constexpr double kShortestFrame = 1.0 / 250;
+
+struct ViewOptions {
+  SceneOptions scene;
+  std::string window = "glfw", size = "1280x720", uiScale = "1";
+  std::optional<std::string> log, record;
+};
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+std::unique_ptr<Window> openWindow(const ViewOptions& options, const Scene& scene) {
+  const auto [width, height] = parsePair(options.size);
+  const WindowOptions wanted{.title = "Tyg: " + scene.title, .size = {.width = width, .height = height}};
+  return options.window == "glut" ? openGlutWindow(wanted) : openGlfwWindow(wanted);
+}
+
+/// The window, what is drawn in it and what is written about it.
+class View {
+ public:
+  View(const ViewOptions& options, const Scene& scene, Viewer& viewer)
+      : viewer_(viewer),
+        window_(openWindow(options, scene)),
+        renderer_(viewer.simulation().sheet()),
+        hud_(*window_, std::stod(options.uiScale)),
+        opened_(now()) {
+    if (options.log) log_ = std::make_unique<ViewLog>(*options.log);
+  }
+
+  void run() {
+    while (!window_->closeRequested() && !viewer_.leaving() && !interrupted()) {
+      const double began = now();
+      takeEvents();
+      viewer_.resize(window_->framebuffer(), hud_.margin());
+      stale_ = stale_ || !viewer_.idle();
+      viewer_.frame();
+      if (stale_ || !viewer_.idle()) show();
+      writeLog();
+      spare_ = std::max(0.0, kShortestFrame - (now() - began));
+    }
+  }
+
+ private:
+  void takeEvents() {
+    const bool hidden = shown_ == Extent{};
+    const double patience = viewer_.idle() || hidden ? kIdleSeconds : spare_;
+    for (const WindowEvent& event : window_->events(stale_ ? 0 : patience)) {
+      if (!hud_.takes(event)) viewer_.handle(event);
+      stale_ = true;
+    }
+    if (window_->framebuffer() != shown_) stale_ = true;
+  }
+
+  /// Trouble while drawing is shown by the text that is drawn over it.
+  void show() {
+    shown_ = window_->framebuffer();
+    stale_ = false;
+    if (window_->closeRequested() || shown_.width <= 0 || shown_.height <= 0) return;
+    try {
+      renderer_.draw(viewer_.positions(), viewer_.camera(), {shown_.width, shown_.height}, viewer_.drawOptions(),
+                     viewer_.shownPush());
+    } catch (const std::exception& error) {
+      viewer_.freeze(error.what());
+    }
+    hud_.draw(viewer_);
+    window_->swap();
+  }
+
+  void writeLog() {
+    ++frame_;
+    if (!log_) return;
+    try {
+      ViewLogLine line = viewer_.logLine();
+      line.frame = frame_;
+      line.wall = now() - opened_;
+      log_->write(line);
+    } catch (const std::exception& error) {
+      log_.reset();
+      viewer_.note(error.what());
+      stale_ = true;
+    }
+  }
+
+  Viewer& viewer_;
+  std::unique_ptr<Window> window_;
+  SheetRenderer renderer_;
+  Hud hud_;
+  std::unique_ptr<ViewLog> log_;
+  double opened_, spare_ = 0;
+  std::int64_t frame_ = 0;
+  bool stale_ = true;  ///< something happened since the last frame was shown
+  Extent shown_;
+};
+
+int view(const ViewOptions& options) {
+  const Scene scene = chosenScene(options.scene);
+  if (options.log) checkWritable(*options.log);
+  if (options.record) checkWritable(*options.record);
+  Viewer viewer(scene, Settings{.threads = options.scene.threads.value_or(0)}, now);
+  const auto keep = [&options](const PushLog& log) {
+    if (options.record) writeWholeFile(*options.record, formatPushLog(log));
+  };
+  viewer.onRunEnd(keep);
+  const InterruptWatch watch;
+  try {
+    View(options, scene, viewer).run();
+  } catch (const NoDisplay& error) {
+    std::cerr << "tyg view: " << error.what() << "; drawing off-screen instead" << std::endl;
+    return renderInstead(scene);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {  // no such window, or a driver that refuses the shaders
+    std::cerr << "tyg view: " << error.what() << std::endl;
+    return kSimulationFailed;
+  }
+  keep(viewer.record());
+  return interrupted() ? kInterrupted : kDone;
+}
+
+std::string checkScale(const std::string& text) {
+  const std::string complaint = checkPositive(text, "1 is the ordinary size of text, 1.5 half as much again");
+  if (!complaint.empty()) return complaint;
+  const double scale = std::stod(text);
+  return scale >= 0.25 && scale <= 8 ? "" : "found '" + text + "', allowed is a number from 0.25 to 8";
+}
+
+}  // namespace
+
+void addViewCommand(CLI::App& app, Action& action) {
+  auto* command =
+      app.add_subcommand("view", "The window: space starts and pauses, a left click pokes, H shows the keys");
+  auto options = std::make_shared<ViewOptions>();
+  addSceneOptions(*command, options->scene, false);
+  const auto size = [](const std::string& text) {
+    return checkPair(text, kMostPixels, "width x height in pixels, such as 1280x720");
+  };
+  command->add_option("--window", options->window, "Library that opens the window [glfw]")
+      ->check(CLI::IsMember({"glfw", "glut"}))
+      ->type_name("glfw|glut");
+  command->add_option("--size", options->size, "Pixels of the window [1280x720]")->check(size)->type_name("WxH");
+  command->add_option("--ui-scale", options->uiScale, "Size of the text, on top of the screen's own scale [1]")
+      ->check(checkScale)
+      ->type_name("X");
+  command->add_option("--log", options->log, "Write one CSV line a frame here, for scripts that watch the window")
+      ->type_name("FILE.csv");
+  command->add_option("--record", options->record, "Write the pushes here, for tyg run --replay")->type_name("FILE");
+  command->callback([&action, options] { action = [options] { return view(*options); }; });
+}
+
+}  // namespace tyg

@@ -1,0 +1,256 @@
+// Layout of the text over the picture. Everything is drawn from a font size and the screen's size, so that it stays
+// readable and uncut at any scale.
+#include "app/hud.h"
+
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "tyg/methods.h"
+
+namespace tyg {
+
+struct Hud::Colours {
+  ImU32 text, dim, accent, warning, shade;
+};
+
+/// One of the two blocks of keys: left, driving; right, choices.
+struct Hud::Column {
+  float size = 0, left = 0, top = 0;
+  float keys = 0, width = 0;  ///< of the key names, of the whole block
+};
+
+namespace {
+
+constexpr float kTextPixels = 18, kLargeRatio = 1.5F, kLineRatio = 1.35F;
+/// ImGui's own font, used where DejaVu Sans is missing, is drawn for this size.
+constexpr float kBuiltinPixels = 13;
+constexpr std::array<const char*, 3> kFontFiles{"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+                                                "/usr/share/fonts/TTF/DejaVuSans.ttf",
+                                                "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf"};
+
+ImFont* loadFont(float pixels) {
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  std::error_code ignored;
+  for (const char* file : kFontFiles) {
+    if (!std::filesystem::exists(file, ignored)) continue;
+    if (ImFont* font = atlas.AddFontFromFileTTF(file, std::round(pixels))) return font;
+  }
+  ImFontConfig config;
+  config.SizePixels = std::max(kBuiltinPixels, std::round(pixels / kBuiltinPixels) * kBuiltinPixels);
+  return atlas.AddFontDefault(&config);
+}
+
+ImVec2 extentOf(ImFont* font, float size, std::string_view text, float wrap = 0) {
+  return font->CalcTextSizeA(size, 1e6F, wrap, text.data(), text.data() + text.size());
+}
+
+void write(ImFont* font, float size, ImVec2 at, ImU32 colour, std::string_view text, float wrap = 0) {
+  ImGui::GetBackgroundDrawList()->AddText(font, size, at, colour, text.data(), text.data() + text.size(), wrap);
+}
+
+ImVec2 screenSize() { return ImGui::GetIO().DisplaySize; }
+
+bool isOn(const HelpLine& line, const Viewer& viewer) {
+  const DrawOptions& draw = viewer.drawOptions();
+  switch (line.action) {
+    case InputAction::ChooseMethod:
+      return &methods()[line.method] == &viewer.method();
+    case InputAction::ShowStructural:
+      return draw.structural;
+    case InputAction::ShowShear:
+      return draw.shear;
+    case InputAction::ShowBend:
+      return draw.bend;
+    case InputAction::ShowParticles:
+      return draw.particles;
+    case InputAction::ShowPins:
+      return draw.pins;
+    case InputAction::ShowGround:
+      return draw.ground;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+Hud::Hud(Window& window, double uiScale)
+    : window_(window),
+      size_(static_cast<float>(kTextPixels * uiScale * window.contentScale())),
+      help_(helpLines(methodNames())) {
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
+  font_ = loadFont(size_);
+  large_ = loadFont(size_ * kLargeRatio);
+  io.Fonts->Build();  // margin() measures texts before the first frame
+  window_.attachOverlay();
+  ImGui_ImplOpenGL3_Init("#version 330 core");
+}
+
+Hud::~Hud() {
+  ImGui_ImplOpenGL3_Shutdown();
+  window_.detachOverlay();
+  ImGui::DestroyContext();
+}
+
+bool Hud::takes(const WindowEvent& event) const {
+  const ImGuiIO& io = ImGui::GetIO();
+  switch (event.kind) {
+    case WindowEvent::Kind::Press:
+      return isMouse(event.key) ? io.WantCaptureMouse : io.WantCaptureKeyboard;
+    case WindowEvent::Kind::Scroll:
+      return io.WantCaptureMouse;
+    default:
+      return false;
+  }
+}
+
+Hud::Column Hud::columnOf(bool choices, const ImVec2& screen) const {
+  Column column{.size = size_};
+  float help = 0;
+  int lines = 0;
+  for (const HelpLine& line : help_) {
+    if (isChoice(line.action) != choices) continue;
+    column.keys = std::max(column.keys, extentOf(font_, size_, line.keys).x);
+    help = std::max(help, extentOf(font_, size_, line.help).x);
+    ++lines;
+  }
+  column.keys += size_;
+  column.width = column.keys + help;
+  const float height = kLineRatio * size_ * static_cast<float>(lines + 6);  // the title above, the status below
+  // A window too small for the keys gets smaller keys rather than cut ones.
+  const float fit = std::min({1.0F, screen.y / height, 0.45F * screen.x / (column.width + size_)});
+  column.size *= fit, column.keys *= fit, column.width *= fit;
+  column.left = choices ? screen.x - size_ - column.width : size_;
+  column.top = size_ + kLineRatio * size_ * 1.5F;
+  return column;
+}
+
+int Hud::margin() const {
+  const Extent pixels = window_.framebuffer();
+  if (pixels.width <= 0 || pixels.height <= 0) return 0;
+  const ImVec2 screen{static_cast<float>(pixels.width), static_cast<float>(pixels.height)};
+  return static_cast<int>(std::max(columnOf(false, screen).width, columnOf(true, screen).width) + 2 * size_);
+}
+
+void Hud::draw(const Viewer& viewer) {
+  ImGui_ImplOpenGL3_NewFrame();
+  window_.beginOverlayFrame();
+  const bool dark = viewer.drawOptions().background == Background::Dark;
+  const Colours colours = dark ? Colours{.text = IM_COL32(232, 236, 242, 255),
+                                         .dim = IM_COL32(148, 156, 170, 255),
+                                         .accent = IM_COL32(126, 190, 255, 255),
+                                         .warning = IM_COL32(255, 186, 96, 255),
+                                         .shade = IM_COL32(12, 14, 20, 190)}
+                               : Colours{.text = IM_COL32(28, 32, 40, 255),
+                                         .dim = IM_COL32(96, 104, 118, 255),
+                                         .accent = IM_COL32(0, 92, 190, 255),
+                                         .warning = IM_COL32(176, 76, 0, 255),
+                                         .shade = IM_COL32(255, 255, 255, 210)};
+  write(font_, size_, {size_, size_}, colours.text, viewer.simulation().scene().title);
+  if (viewer.showsHelp()) drawKeys(viewer, colours);
+  drawStatus(viewer, colours);
+  drawPrompt(viewer, colours);
+  drawArrow(viewer, colours);
+  ImGui::Render();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void Hud::drawKeys(const Viewer& viewer, const Colours& colours) const {
+  for (const bool choices : {false, true}) {
+    const Column column = columnOf(choices, screenSize());
+    float y = choices ? size_ : column.top;
+    bool methodLines = choices;
+    for (const HelpLine& line : help_) {
+      if (isChoice(line.action) != choices) continue;
+      if (methodLines && line.action != InputAction::ChooseMethod) {
+        methodLines = false;
+        y += 0.6F * column.size;
+      }
+      const bool on = isOn(line, viewer);
+      write(font_, column.size, {column.left, y}, on ? colours.accent : colours.text, line.keys);
+      write(font_, column.size, {column.left + column.keys, y}, on ? colours.accent : colours.dim, line.help);
+      y += kLineRatio * column.size;
+    }
+  }
+}
+
+void Hud::drawStatus(const Viewer& viewer, const Colours& colours) const {
+  const Pace& pace = viewer.pace();
+  std::array<char, 192> text{};
+  const std::string_view method = viewer.simulation().method().name;
+  int length =
+      std::snprintf(text.data(), text.size(), "%.*s  \u00b7  step %.4g ms  \u00b7  t %.3f s",
+                    static_cast<int>(method.size()), method.data(), 1e3 * viewer.simulation().dt(), viewer.time());
+  const auto append = [&](const char* format, auto... values) {
+    const auto used = static_cast<std::size_t>(length);
+    length += std::snprintf(text.data() + used, text.size() - used, format, values...);
+  };
+  if (pace.framesPerSecond > 0) {
+    append("  \u00b7  %.0f frames/s  \u00b7  %.0f %% simulating", pace.framesPerSecond, 100 * pace.simulating);
+  } else {
+    append("  \u00b7  - frames/s  \u00b7  - %% simulating");
+  }
+  if (pace.behind) append("  \u00b7  %.2g of real time", pace.realTime);
+  const float width = extentOf(font_, size_, text.data()).x;
+  const float size = size_ * std::min(1.0F, (screenSize().x - 2 * size_) / std::max(width, 1.0F));
+  write(font_, size, {size_, screenSize().y - size_ - size}, pace.behind ? colours.warning : colours.dim, text.data());
+}
+
+void Hud::drawPrompt(const Viewer& viewer, const Colours& colours) const {
+  std::array<char, 1024> text{};
+  ImU32 colour = colours.text;
+  if (viewer.state() == RunState::Frozen) {
+    const std::string_view next = viewer.method().name;
+    std::snprintf(text.data(), text.size(), "%s\nR restarts with %.*s; a number key chooses another method for it.",
+                  viewer.message().c_str(), static_cast<int>(next.size()), next.data());
+    colour = colours.warning;
+  } else if (!viewer.note().empty()) {
+    std::snprintf(text.data(), text.size(), "%s", viewer.note().c_str());
+    colour = colours.warning;
+  } else if (viewer.state() == RunState::Waiting) {
+    std::snprintf(text.data(), text.size(), "space to start");
+  } else if (viewer.state() == RunState::Paused) {
+    std::snprintf(text.data(), text.size(), "paused  \u00b7  space goes on");
+  } else {
+    return;
+  }
+  const float size = viewer.state() == RunState::Frozen || !viewer.note().empty() ? size_ : size_ * kLargeRatio;
+  ImFont* font = size > size_ ? large_ : font_;
+  const float wrap = screenSize().x - 4 * size_;
+  const ImVec2 extent = extentOf(font, size, text.data(), wrap);
+  const ImVec2 at{0.5F * (screenSize().x - extent.x), screenSize().y - 3.2F * size_ - extent.y};
+  const float pad = 0.6F * size_;
+  ImGui::GetBackgroundDrawList()->AddRectFilled({at.x - 1.5F * pad, at.y - pad},
+                                                {at.x + extent.x + 1.5F * pad, at.y + extent.y + pad}, colours.shade,
+                                                0.5F * size_);
+  write(font, size, at, colour, text.data(), wrap);
+}
+
+void Hud::drawArrow(const Viewer& viewer, const Colours& colours) const {
+  const ImVec2 screen = screenSize();
+  const auto arrow = edgeArrow(viewer.camera(), viewer.box(), {screen.x, screen.y}, 2 * size_);
+  if (!arrow) return;
+  const glm::vec2 back = arrow->tip - 1.6F * size_ * arrow->direction;
+  const glm::vec2 side = 0.8F * size_ * glm::vec2(-arrow->direction.y, arrow->direction.x);
+  const auto point = [](glm::vec2 p) { return ImVec2(p.x, p.y); };
+  ImGui::GetBackgroundDrawList()->AddTriangleFilled(point(arrow->tip), point(back - side), point(back + side),
+                                                    colours.accent);
+  constexpr std::string_view kLabel = "the cloth is there: F finds it";
+  const ImVec2 extent = extentOf(font_, size_, kLabel);
+  const glm::vec2 middle = back - arrow->direction * (size_ + 0.5F * extent.x * std::abs(arrow->direction.x));
+  const ImVec2 at{std::clamp(middle.x - 0.5F * extent.x, size_, std::max(size_, screen.x - extent.x - size_)),
+                  std::clamp(middle.y - 0.5F * size_, size_, std::max(size_, screen.y - 2 * size_))};
+  write(font_, size_, at, colours.accent, kLabel);
+}
+
+}  // namespace tyg

@@ -1,0 +1,48 @@
+// The text over the picture: keys, status line, prompts, the arrow to a cloth out of sight. Drawn with ImGui.
+// Must not know: window libraries, what an input does.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "app/viewer.h"
+
+struct ImDrawList;
+struct ImFont;
+struct ImVec2;
+
+namespace tyg {
+
+class Hud {
+ public:
+  /// Attaches to the window, whose context must be current. `uiScale` > 0 scales all text, on top of the screen's own.
+  Hud(Window& window, double uiScale);
+  ~Hud();
+  Hud(const Hud&) = delete;
+  Hud& operator=(const Hud&) = delete;
+
+  /// True where the event belongs to a panel and the viewer must not see it. Releases always reach the viewer: no key
+  /// stays down there because a panel got the other half.
+  [[nodiscard]] bool takes(const WindowEvent& event) const;
+  /// Pixels of the framebuffer that the keys take on each side.
+  [[nodiscard]] int margin() const;
+  void draw(const Viewer& viewer);
+
+ private:
+  struct Colours;
+  struct Column;
+  [[nodiscard]] Column columnOf(bool choices, const ImVec2& screen) const;
+  void drawKeys(const Viewer& viewer, const Colours& colours) const;
+  void drawStatus(const Viewer& viewer, const Colours& colours) const;
+  void drawPrompt(const Viewer& viewer, const Colours& colours) const;
+  void drawArrow(const Viewer& viewer, const Colours& colours) const;
+
+  Window& window_;
+  ImFont* font_ = nullptr;
+  ImFont* large_ = nullptr;
+  float size_ = 18;  ///< of the text, in ImGui's units
+  std::vector<HelpLine> help_;
+};
+
+}  // namespace tyg

@@ -1,0 +1,74 @@
+// The table of inputs, and the help that it makes.
+#include "app/input_table.h"
+
+#include <algorithm>
+#include <array>
+
+namespace tyg {
+namespace {
+
+using enum InputAction;
+
+constexpr std::array kInputs{
+    Input{' ', StartOrPause, "space", "start, pause"},
+    Input{'.', Step, ".", "one step"},
+    Input{'R', Restart, "R", "restart"},
+    Input{kLeftButton, Poke, "left click", "push, hold to go on"},
+    Input{kRightButton, Look, "right drag", "look around"},
+    Input{kWheel, Approach, "wheel", "nearer, farther"},
+    Input{'W', MoveForward, "W", "move"},
+    Input{'A', MoveLeft, "A", "move"},
+    Input{'S', MoveBack, "S", "move"},
+    Input{'D', MoveRight, "D", "move"},
+    Input{'Q', MoveDown, "Q", "down, up"},
+    Input{'E', MoveUp, "E", "down, up"},
+    Input{'F', FrameCloth, "F", "find the cloth"},
+    Input{'H', ShowHelp, "H", "these keys"},
+    Input{kEscapeKey, Leave, "Esc", "leave"},
+    Input{'1', ChooseMethod, "1", "method"},
+    Input{'2', ChooseMethod, "2", "method"},
+    Input{'3', ChooseMethod, "3", "method"},
+    Input{'4', ChooseMethod, "4", "method"},
+    Input{'5', ChooseMethod, "5", "method"},
+    Input{'6', ChooseMethod, "6", "method"},
+    Input{'7', ChooseMethod, "7", "method"},
+    Input{'8', ChooseMethod, "8", "method"},
+    Input{'9', ChooseMethod, "9", "method"},
+    Input{'0', ChooseMethod, "0", "method"},
+    Input{'T', ShowStructural, "T", "structural lines"},
+    Input{'X', ShowShear, "X", "shear lines"},
+    Input{'N', ShowBend, "N", "bend lines"},
+    Input{'P', ShowParticles, "P", "particles"},
+    Input{'I', ShowPins, "I", "pins"},
+    Input{'G', ShowGround, "G", "ground"},
+    Input{'B', ChangeBackground, "B", "light, dark"},
+};
+
+}  // namespace
+
+std::span<const Input> inputTable() { return kInputs; }
+
+const Input* findInput(KeyCode key) {
+  const auto* found = std::ranges::find(kInputs, key, &Input::key);
+  return found == kInputs.end() ? nullptr : found;
+}
+
+std::size_t methodPlace(KeyCode key) { return key == '0' ? 9 : static_cast<std::size_t>(key - '1'); }
+
+std::vector<HelpLine> helpLines(std::span<const std::string_view> methods) {
+  std::vector<HelpLine> lines;
+  for (const Input& input : inputTable()) {
+    if (input.action == ChooseMethod) {
+      const std::size_t place = methodPlace(input.key);
+      if (place >= methods.size()) continue;
+      lines.push_back({std::string(input.keyName), std::string(methods[place]), input.action, place});
+    } else if (!lines.empty() && lines.back().help == input.help) {
+      lines.back().keys.append(" ").append(input.keyName);
+    } else {
+      lines.push_back({std::string(input.keyName), std::string(input.help), input.action});
+    }
+  }
+  return lines;
+}
+
+}  // namespace tyg

@@ -1,0 +1,333 @@
+// The viewer's states and inputs.
+#include "app/viewer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "tyg/methods.h"
+#include "view/picking.h"
+
+namespace tyg {
+namespace {
+
+using enum InputAction;
+
+/// Simulated seconds that a click pushes, and by which holding the button goes on.
+constexpr double kClickSeconds = 0.1, kHoldSeconds = 0.02;
+/// A push as a share of the cloth's weight: a poke that is seen everywhere and tears nothing.
+constexpr double kPushShare = 0.1;
+/// But at least this many times the weight of the particle, for scenes of a few particles.
+constexpr double kLeastPush = 3;
+constexpr double kEarthGravity = 9.81;    // m/s2: what a push is measured by even where a scene has no gravity
+constexpr double kPushSeenSeconds = 0.3;  // wall time that a push stays on screen
+
+/// The simulation may take this long a frame, or as long as everything else takes where that is longer.
+constexpr double kSimulatingSeconds = 0.012;
+constexpr double kSmoothingSeconds = 0.5;
+/// A longer frame says that nothing moved before it, not how fast frames come.
+constexpr double kLongestMeasuredFrame = 0.5;
+
+double pushNewtons(const Sheet& sheet) {
+  const double weight = sheet.particleMass * kEarthGravity;
+  return weight * std::max(kLeastPush, kPushShare * sheet.count());
+}
+
+int wholeTicks(double seconds, double dt) { return std::max(1, static_cast<int>(std::ceil(seconds / dt - 1e-9))); }
+
+/// The corners of the room that a cloth needs which has not moved yet: a pinned one that starts flat will swing down.
+std::vector<glm::vec3> roomFor(const Scene& scene, const Sheet& sheet, const Box& start) {
+  const std::array<glm::vec3, 8> corners = start.corners();
+  std::vector<glm::vec3> room(corners.begin(), corners.end());
+  const glm::vec3 gravity(scene.gravity.x, scene.gravity.y, scene.gravity.z);
+  if (sheet.start != Start::Flat || glm::length(gravity) == 0) return room;
+  const glm::vec3 fall = static_cast<float>(sheet.spacing * (sheet.rows - 1)) * glm::normalize(gravity);
+  for (const int pin : sheet.pins) {
+    const Vec3 at = sheet.startPosition(pin);
+    room.push_back(fall + glm::vec3(at.x, at.y, at.z));
+  }
+  return room;
+}
+
+bool isHeldAction(InputAction action) {
+  return action == Poke || action == Look || (action >= MoveForward && action <= MoveUp);
+}
+
+}  // namespace
+
+std::string_view nameOf(RunState state) {
+  constexpr std::array<std::string_view, 4> kNames{"waiting", "running", "paused", "frozen"};
+  return kNames.at(static_cast<std::size_t>(state));
+}
+
+Viewer::Viewer(const Scene& scene, const Settings& settings, Clock clock)
+    : scene_(scene),
+      settings_(settings),
+      clock_(std::move(clock)),
+      method_(&findMethod(scene.integrator)),
+      simulation_(scene, *method_, settings),
+      frameClock_(scene.dt),
+      lastFrame_(clock_()),
+      positions_(static_cast<std::size_t>(3 * simulation_.sheet().count())) {
+  showState();
+}
+
+void Viewer::handle(const WindowEvent& event) {
+  if (event.kind == WindowEvent::Kind::Press && idle()) lastFrame_ = clock_();  // the idle time is not to be made up
+  try {
+    switch (event.kind) {
+      case WindowEvent::Kind::Press:
+        if (const Input* input = findInput(event.key)) press(*input, event);
+        break;
+      case WindowEvent::Kind::Release:
+        if (const Input* input = findInput(event.key)) held_.at(static_cast<std::size_t>(input->action)) = false;
+        break;
+      case WindowEvent::Kind::Move:
+        moveCursor({event.x, event.y});
+        break;
+      case WindowEvent::Kind::Scroll:
+        camera_.approach(static_cast<float>(event.notches));
+        break;
+      case WindowEvent::Kind::FocusLost:
+        held_.fill(false);
+        break;
+      case WindowEvent::Kind::Exposed:
+        break;
+    }
+  } catch (const std::exception& error) {
+    note_ = error.what();
+  }
+}
+
+void Viewer::press(const Input& input, const WindowEvent& event) {
+  note_.clear();
+  if (isHeldAction(input.action)) held_.at(static_cast<std::size_t>(input.action)) = true;
+  if (isMouse(input.key)) cursor_ = {event.x, event.y};
+  switch (input.action) {
+    case StartOrPause:
+      return startOrPause();
+    case Step:
+      return step();
+    case Restart:
+      return restart();
+    case Poke:
+      return beginPush(cursor_);
+    case FrameCloth:
+      return frameCloth();
+    case ChooseMethod:
+      return choose(methodPlace(input.key));
+    case Leave:
+      leaving_ = true;
+      return;
+    default:
+      return toggle(input.action);
+  }
+}
+
+void Viewer::toggle(InputAction action) {
+  const auto flip = [](bool& value) { value = !value; };
+  switch (action) {
+    case ShowStructural:
+      return flip(draw_.structural);
+    case ShowShear:
+      return flip(draw_.shear);
+    case ShowBend:
+      return flip(draw_.bend);
+    case ShowParticles:
+      return flip(draw_.particles);
+    case ShowPins:
+      return flip(draw_.pins);
+    case ShowGround:
+      return flip(draw_.ground);
+    case ShowHelp:
+      return flip(help_);
+    case ChangeBackground:
+      draw_.background = draw_.background == Background::Dark ? Background::Light : Background::Dark;
+      return;
+    default:
+      return;
+  }
+}
+
+void Viewer::startOrPause() {
+  if (state_ == RunState::Frozen) return;
+  state_ = state_ == RunState::Running ? RunState::Paused : RunState::Running;
+  frameClock_.restart();
+}
+
+void Viewer::step() {
+  if (state_ == RunState::Frozen) return;
+  state_ = RunState::Paused;
+  run(1, 0);
+}
+
+void Viewer::restart() {
+  if (onRunEnd_ && simulation_.ticks() > 0) onRunEnd_(record());
+  simulation_ = Simulation(scene_, *method_, settings_);
+  state_ = RunState::Waiting;
+  message_.clear();
+  held_.at(static_cast<std::size_t>(Poke)) = false;
+  pushEnd_ = 0;
+  pushedAt_ = -kPushSeenSeconds;
+  showState();
+}
+
+void Viewer::choose(std::size_t place) {
+  if (place >= methods().size()) return;
+  const Method& method = methods()[place];
+  if (state_ != RunState::Frozen && &method != method_) simulation_.useMethod(method);
+  method_ = &method;
+}
+
+void Viewer::beginPush(glm::vec2 cursor) {
+  if (state_ == RunState::Frozen || pixels_.width <= 0 || pixels_.height <= 0) return;
+  const glm::vec2 window(pixels_.width, pixels_.height);
+  const Sheet& sheet = simulation_.sheet();
+  const std::optional<int> hit = pickParticle(camera_, cursor, window, sheet, positions_);
+  const glm::dvec3 away = hit ? glm::dvec3(sightLine(camera_, cursor, window).direction) : glm::dvec3(0, 0, 1);
+  const glm::dvec3 force = pushNewtons(sheet) * away;
+  picked_ = hit ? *hit : particleAt(sheet, Place{.name = "middle"});
+  force_ = {force.x, force.y, force.z};
+  const int ticks = wholeTicks(kClickSeconds, simulation_.dt());
+  simulation_.push(picked_, force_, ticks);
+  pushEnd_ = simulation_.ticks() + ticks;
+  pushedAt_ = clock_();
+  ++pushes_;
+  if (std::ranges::binary_search(sheet.pins, picked_)) note_ = "That particle is pinned: no push moves it.";
+}
+
+void Viewer::keepPushing() {
+  if (!held(Poke) || picked_ < 0 || simulation_.ticks() < pushEnd_) return;
+  const int ticks = wholeTicks(kHoldSeconds, simulation_.dt());
+  simulation_.push(picked_, force_, ticks);
+  pushEnd_ = simulation_.ticks() + ticks;
+}
+
+void Viewer::moveCursor(glm::vec2 cursor) {
+  const glm::vec2 moved = cursor - cursor_;
+  cursor_ = cursor;
+  if (held(Look)) camera_.turn(moved.x, moved.y);
+}
+
+Motion Viewer::motion() const {
+  const auto along = [this](InputAction plus, InputAction minus) { return float(held(plus)) - float(held(minus)); };
+  return {.right = along(MoveRight, MoveLeft), .up = along(MoveUp, MoveDown), .forward = along(MoveForward, MoveBack)};
+}
+
+void Viewer::resize(Extent pixels, int margin) {
+  pixels_ = pixels;
+  margin_ = margin;
+  if (!framed_ && pixels.width > 0 && pixels.height > 0) frameCloth();
+}
+
+void Viewer::frameCloth() {
+  if (pixels_.width <= 0 || pixels_.height <= 0) return;
+  const int free = std::max(pixels_.width / 2, pixels_.width - 2 * margin_);
+  const float aspect = float(free) / float(pixels_.height);
+  if (simulation_.ticks() > 0) {
+    camera_.frame(box_, aspect);
+  } else {
+    camera_.frame(roomFor(scene_, simulation_.sheet(), box_), aspect);
+  }
+  framed_ = true;
+}
+
+bool Viewer::idle() const {
+  const Motion keys = motion();
+  return state_ != RunState::Running && !held(Look) && keys.right == 0 && keys.up == 0 && keys.forward == 0;
+}
+
+void Viewer::frame() {
+  const double now = clock_();
+  const double seconds = now - lastFrame_;
+  lastFrame_ = now;
+  camera_.watch(box_);
+  camera_.move(motion(), static_cast<float>(seconds));
+  if (state_ == RunState::Running) {
+    const double others = frameSeconds_ - simulatingSeconds_;
+    frameClock_.ran(run(frameClock_.due(seconds), std::max(kSimulatingSeconds, others)));
+  }
+  measure(seconds, clock_() - now);
+}
+
+/// Runs up to `ticks`, one at least where any are due, and stops when `seconds` are over. Returns how many it ran.
+int Viewer::run(int ticks, double seconds) {
+  const double start = clock_();
+  int done = 0;
+  try {
+    while (done < ticks && simulation_.status() == Status::Ok && (done == 0 || clock_() - start < seconds)) {
+      keepPushing();
+      simulation_.tick();
+      ++done;
+    }
+    if (done > 0) showState();
+  } catch (const std::exception& error) {
+    freeze(error.what());
+  }
+  return done;
+}
+
+/// Takes the simulation's state over for drawing, unless the alarm says that it is not worth showing.
+void Viewer::showState() {
+  if (simulation_.check() != Status::Ok) return freezeOnAlarm();
+  simulation_.copyPositions(positions_);
+  time_ = simulation_.time();
+  box_ = boxAround(positions_);
+}
+
+void Viewer::freezeOnAlarm() {
+  const bool finite = simulation_.status() == Status::Unstable;
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(), "%s with a step of %.4g ms %s at %.3f s.",
+                std::string(simulation_.method().name).c_str(), 1e3 * simulation_.dt(),
+                finite ? "became unstable" : "left the numbers that can be computed with", simulation_.alarmTime());
+  freeze(text.data());
+}
+
+void Viewer::freeze(std::string message) {
+  state_ = RunState::Frozen;
+  message_ = std::move(message);
+}
+
+void Viewer::measure(double frameSeconds, double simulatingSeconds) {
+  if (frameSeconds <= 0 || frameSeconds > kLongestMeasuredFrame || idle()) return;
+  const double share = frameSeconds_ > 0 ? std::min(1.0, frameSeconds / kSmoothingSeconds) : 1;
+  frameSeconds_ += share * (frameSeconds - frameSeconds_);
+  simulatingSeconds_ += share * (std::min(simulatingSeconds, frameSeconds) - simulatingSeconds_);
+  pace_ = {.framesPerSecond = 1 / frameSeconds_,
+           .simulating = simulatingSeconds_ / frameSeconds_,
+           .realTime = frameClock_.realTimeFactor(),
+           .behind = state_ == RunState::Running && frameClock_.behind()};
+}
+
+std::optional<ShownPush> Viewer::shownPush() const {
+  const bool acts = simulation_.ticks() < pushEnd_ || clock_() - pushedAt_ < kPushSeenSeconds;
+  if (pushes_ == 0 || state_ == RunState::Frozen || !acts) return std::nullopt;
+  return ShownPush{.particle = picked_, .force = force_};
+}
+
+ViewLogLine Viewer::logLine() {
+  if (state_ != RunState::Frozen) kinetic_ = simulation_.ledger().kinetic;
+  const glm::vec3 eye = camera_.eye();
+  return {.time = time_,
+          .state = nameOf(state_),
+          .integrator = method_->name,
+          .dt = simulation_.dt(),
+          .eye = {eye.x, eye.y, eye.z},
+          .picked = picked_,
+          .pushes = pushes_,
+          .kinetic = kinetic_,
+          .alarm = nameOf(simulation_.status())};
+}
+
+PushLog Viewer::record() const {
+  PushLog log = simulation_.log();
+  log.ticks = simulation_.ticks();
+  std::array<char, 24> hash{};
+  std::snprintf(hash.data(), hash.size(), "%016llx", static_cast<unsigned long long>(simulation_.hash()));
+  log.hash = hash.data();
+  return log;
+}
+
+}  // namespace tyg
