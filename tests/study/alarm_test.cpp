@@ -1,0 +1,129 @@
+// The alarm at both sides of each method's limit: quiet below it, raised above it, in cloth that moves.
+#include <gtest/gtest.h>
+
+#include "study/stability.h"
+#include "test_systems.h"
+#include "tyg/methods.h"
+#include "tyg/simulation.h"
+
+namespace tyg::test {
+namespace {
+
+constexpr double kBelow = 0.95;  // of the limit at rest
+
+/// Where the alarm must go within the run. Explicit Euler's slowest waves grow slowly, and are longer than this sheet;
+/// past its limit dopri54 jitters within bounds for a while in strongly damped cloth.
+double above(const Method& method) {
+  if (method.name == "explicit-euler") return 1.2;
+  return method.name == "dopri54" ? 1.5 : 1.1;
+}
+
+constexpr double kSeconds = 3;
+
+/// A curtain that swings down and is poked.
+Scene curtain(double kd) {
+  Scene scene = emptyWorld(12, 10);
+  scene.spacing = 0.1;
+  scene.particleMass = 0.018;
+  scene.start = Start::Flat;
+  scene.pins = {{"top-left"}, {"top-right"}};
+  scene.structural = {1200, kd};
+  scene.shear = {900, kd};
+  scene.bend = {200, kd};
+  scene.gravity = {0, -9.81, 0};
+  scene.pushes = {{{"middle"}, {0, 0, 2}, 0.5, 0.1}};
+  scene.duration = kSeconds;
+  scene.tolerance = 0;  // adaptive methods take steps of dt
+  return scene;
+}
+
+struct Outcome {
+  Status status;
+  double at;  ///< s
+};
+
+Outcome outcome(Scene scene, const Method& method, double share) {
+  scene.dt = share * restLatticeLimit(scene, method);
+  Simulation simulation(scene, method);
+  simulation.advanceTo(kSeconds);
+  return {simulation.status(), simulation.alarmTime()};
+}
+
+bool hasLimit(const Scene& scene, const Method& method) {
+  return method.stableStep != nullptr && restLatticeLimit(scene, method) > 0;
+}
+
+TEST(Alarm, IsQuietJustBelowTheLimitOfEveryMethod) {
+  for (const double kd : {0.1, 1.0}) {
+    const Scene scene = curtain(kd);
+    for (const Method& method : methods()) {
+      if (!hasLimit(scene, method)) continue;
+      EXPECT_EQ(outcome(scene, method, kBelow).status, Status::Ok) << method.name << " kd " << kd;
+    }
+  }
+}
+
+TEST(Alarm, IsRaisedJustAboveTheLimitOfEveryMethod) {
+  for (const double kd : {0.1, 1.0}) {
+    const Scene scene = curtain(kd);
+    for (const Method& method : methods()) {
+      if (!hasLimit(scene, method)) continue;
+      EXPECT_NE(outcome(scene, method, above(method)).status, Status::Ok) << method.name << " kd " << kd;
+    }
+  }
+}
+
+TEST(Alarm, OfABadStepComesBeforeTheSheetHasLeftTheScreen) {
+  Scene scene = curtain(0.1);
+  for (const std::string_view name : {"symplectic-euler", "leapfrog", "rk4"}) {
+    const Method& method = findMethod(name);
+    scene.dt = 1.5 * restLatticeLimit(scene, method);
+    Simulation simulation(scene, method);
+    for (int frame = 0; frame < 180 && simulation.status() == Status::Ok; ++frame) {
+      for (const double shown = simulation.time() + 1.0 / 60;
+           simulation.time() < shown && simulation.status() == Status::Ok;) {
+        simulation.tick();
+      }
+      if (simulation.check() != Status::Ok) break;  // the frame is not shown
+      for (int i = 0; i < simulation.sheet().count(); ++i) ASSERT_LT(length(simulation.position(i)), 10) << name;
+    }
+    EXPECT_NE(simulation.status(), Status::Ok) << name;
+  }
+}
+
+TEST(Alarm, StaysAndTellsWhen) {
+  Scene scene = curtain(0.1);
+  scene.dt = 1.3 * restLatticeLimit(scene, findMethod("leapfrog"));
+  Simulation simulation(scene, findMethod("leapfrog"));
+  EXPECT_TRUE(std::isnan(simulation.alarmTime()));
+  simulation.advanceTo(kSeconds);
+  ASSERT_NE(simulation.status(), Status::Ok);
+  const double when = simulation.alarmTime();
+  EXPECT_EQ(when, simulation.time()) << "it stood still there";
+  EXPECT_LT(when, kSeconds);
+  simulation.advanceTo(2 * kSeconds);
+  EXPECT_EQ(simulation.alarmTime(), when);
+  EXPECT_EQ(simulation.time(), when);
+}
+
+TEST(Alarm, MayBeRunPast) {
+  Scene scene = curtain(0.1);
+  scene.dt = 1.3 * restLatticeLimit(scene, findMethod("leapfrog"));
+  Simulation simulation(scene, findMethod("leapfrog"), {.keepGoing = true});
+  simulation.advanceTo(kSeconds);
+  EXPECT_EQ(simulation.time(), kSeconds);
+  EXPECT_NE(simulation.status(), Status::Ok);
+  EXPECT_LT(simulation.alarmTime(), kSeconds);
+}
+
+TEST(Alarm, IsNotRaisedByPushesHoweverStrong) {
+  Scene scene = curtain(0.1);
+  scene.pushes = {{{"middle"}, {0, 0, 300}, 0.2, 0.2}, {{"bottom-left"}, {50, 200, 0}, 1, 0.5}};
+  scene.dt = 1e-4;
+  Simulation simulation(scene, findMethod("rk4"));
+  simulation.advanceTo(2);
+  EXPECT_EQ(simulation.status(), Status::Ok);
+}
+
+}  // namespace
+}  // namespace tyg::test
