@@ -43,17 +43,22 @@ std::vector<Scene> scenes() {
   return all;
 }
 
+std::string evaluations(const Method& method) {
+  if (method.evaluationsPerStep < 0) return "evaluations as needed";
+  return std::to_string(method.evaluationsPerStep) + (method.adaptive ? " a step of its own choice" : " a step");
+}
+
 std::string page() {
-  std::string text = "Scenes (tyg view NAME, tyg run NAME, ...; a path of your own .toml file serves as well)\n\n";
+  std::string text = "Scenes (for example: tyg view NAME; the path of a .toml file serves as well)\n\n";
   for (const Scene& scene : scenes()) {
     const std::string size = std::to_string(scene.columns) + " x " + std::to_string(scene.rows);
     text += "  " + padded(scene.name, kNameWidth) + scene.title + " (" + size + " particles)\n";
     text += wrapped(scene.shows, kNameWidth + 2);
   }
-  text += "\nMethods (--integrator NAME), with their order and force evaluations per step\n\n";
+  text += "\nMethods (--integrator NAME), with their order and force evaluations\n\n";
   for (const Method& method : methods()) {
     text += "  " + padded(std::string(method.name), kNameWidth) + std::string(method.label) + ": order " +
-            std::to_string(method.order) + ", evaluations " + std::to_string(method.evaluationsPerStep) + "\n";
+            std::to_string(method.order) + ", " + evaluations(method) + "\n";
     text += wrapped(std::string(method.scheme), kNameWidth + 2);
   }
   return text;
@@ -81,7 +86,9 @@ std::string json() {
     object.add("label", method.label);
     object.add("scheme", method.scheme);
     object.add("order", method.order);
-    object.add("evaluations_per_step", method.evaluationsPerStep);
+    object.addRaw("evaluations_per_step",
+                  method.evaluationsPerStep < 0 ? "null" : std::to_string(method.evaluationsPerStep));
+    object.addRaw("adaptive", method.adaptive ? "true" : "false");
   }
   JsonObject all;
   all.addRaw("scenes", joined(sceneObjects));

@@ -37,11 +37,20 @@ double roundedDown(double step) {
   return std::floor(step / unit * (1 + 1e-12)) * unit;
 }
 
+/// Some methods refuse some scenes.
+bool takes(const Method& method, const Scene& scene) {
+  try {
+    return method.makeDouble(scene, makeSheet(scene)) != nullptr;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 /// The first method, in the table's order, that is predicted to stay stable with this step.
 const Method* methodThatHolds(const Scene& scene, const Method& failed, double step) {
   for (const Method& method : methods()) {
     const double limit = restLatticeLimit(scene, method);
-    if (method.name != failed.name && !(limit < 1.05 * step)) return &method;
+    if (method.name != failed.name && !(limit < 1.05 * step) && takes(method, scene)) return &method;
   }
   return nullptr;
 }

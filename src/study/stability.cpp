@@ -19,9 +19,14 @@ class WaveLimit {
   WaveLimit(const Scene& scene, const Method& method) : lattice_(scene), stableStep_(method.stableStep) {}
 
   [[nodiscard]] const Lattice& lattice() const { return lattice_; }
+
   [[nodiscard]] double operator()(double qx, double qy) const {
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const Mode& mode : lattice_.modes(qx, qy)) smallest = std::min(smallest, stableStep_(mode.w2, mode.d));
+    const std::array<Mode, 5> modes = lattice_.modes(qx, qy);
+    const auto limit = [&](std::size_t k) { return stableStep_(modes.at(k).w2, modes.at(k).d); };
+    double smallest = std::min({limit(0), limit(1), limit(2)});
+    // The last two repeat the first two where a wave has one damping only.
+    if (modes[3].d != modes[0].d) smallest = std::min(smallest, limit(3));
+    if (modes[4].d != modes[1].d) smallest = std::min(smallest, limit(4));
     return smallest;
   }
 
@@ -93,10 +98,8 @@ class WaveGrid {
 
 double restLatticeLimit(const Scene& scene, const Method& method) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  if (method.stableStepOfScene != nullptr) {
-    const double limit = method.stableStepOfScene(scene);
-    return std::isfinite(limit) ? limit : kNone;
-  }
+  const auto finite = [](double step) { return std::isfinite(step) ? step : kNone; };
+  if (method.stableStepOfScene != nullptr) return finite(method.stableStepOfScene(scene));
   if (method.stableStep == nullptr) return kNone;
   const WaveLimit limit(scene, method);
   std::vector<Wave> valleys = WaveGrid(limit).valleys();
@@ -106,7 +109,7 @@ double restLatticeLimit(const Scene& scene, const Method& method) {
   valleys.resize(std::min(kStarts, valleys.size()));
   double smallest = std::numeric_limits<double>::infinity();
   for (const Wave& valley : valleys) smallest = std::min(smallest, refined(limit, valley, WaveGrid::kStride / 2).limit);
-  return std::isfinite(smallest) ? smallest : kNone;
+  return finite(smallest);
 }
 
 }  // namespace tyg
