@@ -1,0 +1,136 @@
+// Which command is meant, help, and exit codes.
+#include "app/program.h"
+
+namespace tyg {
+namespace {
+
+const std::vector<std::string> kSceneOptions{"--integrator", "--dt",      "--tolerance", "--duration",
+                                             "--precision",  "--threads", "--sheet"};
+
+TEST(CommandLine, HelpNamesEveryCommandAndTheExitCodes) {
+  const Outcome help = tyg("--help");
+  EXPECT_EQ(help.code, 0);
+  for (const char* word : {"view", "run", "render", "plot", "list", "Examples", "Exit codes", "--version"}) {
+    EXPECT_TRUE(holds(help.out, word)) << word;
+  }
+}
+
+TEST(CommandLine, HelpOfEveryCommandHasExamples) {
+  for (const char* command : {"view", "run", "render", "plot", "list"}) {
+    const Outcome help = tyg(std::string(command) + " --help");
+    EXPECT_EQ(help.code, 0) << command;
+    EXPECT_TRUE(holds(help.out, "Examples")) << command;
+  }
+}
+
+TEST(CommandLine, HelpOfRunExplainsEveryOption) {
+  const Outcome help = tyg("run --help");
+  std::vector<std::string> options = kSceneOptions;
+  options.insert(options.end(), {"--samples", "--out", "--ledger", "--keep-going", "--replay", "--json", "--verbose"});
+  for (const std::string& option : options) EXPECT_TRUE(holds(help.out, "  " + option)) << option;
+}
+
+TEST(CommandLine, HelpOfPlotExplainsEveryOption) {
+  const Outcome help = tyg("plot --help");
+  std::vector<std::string> options = kSceneOptions;
+  options.insert(options.end(), {"--particles", "--methods", "--out"});
+  for (const std::string& option : options) EXPECT_TRUE(holds(help.out, "  " + option)) << option;
+}
+
+TEST(CommandLine, VersionIsOneLine) {
+  const Outcome version = tyg("--version");
+  EXPECT_EQ(version.code, 0);
+  EXPECT_EQ(version.out.rfind("tyg ", 0), 0U);
+  EXPECT_EQ(std::count(version.out.begin(), version.out.end(), '\n'), 1);
+}
+
+TEST(CommandLine, AFirstWordThatIsNeitherCommandNorSceneIsRefusedWithBothLists) {
+  const Outcome outcome = tyg("curtian");
+  EXPECT_EQ(outcome.code, 2);
+  for (const char* word : {"'curtian'", "view", "plot", "curtain", ".toml"})
+    EXPECT_TRUE(holds(outcome.err, word)) << word;
+}
+
+TEST(CommandLine, AnOptionWithoutACommandBelongsToView) {
+  const Outcome outcome = tyg("--window hat");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_TRUE(holds(outcome.err, "tyg view")) << outcome.err;
+  EXPECT_TRUE(holds(outcome.err, "glut")) << outcome.err;
+}
+
+TEST(CommandLine, AnUnknownOptionIsRefusedWithTheAllowedOnes) {
+  const Outcome outcome = tyg("run curtain --integrater rk4");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_TRUE(holds(outcome.err, "--integrater"));
+  EXPECT_TRUE(holds(outcome.err, "--integrator"));
+  EXPECT_TRUE(outcome.out.empty());
+}
+
+TEST(CommandLine, AMissingSceneIsRefused) {
+  const Outcome outcome = tyg("run");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_TRUE(holds(outcome.err, "SCENE"));
+}
+
+struct Wrong {
+  const char* arguments;
+  std::vector<std::string> words;  ///< that the message must hold
+};
+
+TEST(CommandLine, WrongValuesAreRefusedWithWhatWasFoundAndWhatIsAllowed) {
+  const std::vector<Wrong> table{
+      {"--dt 0", {"--dt", "'0'", "above 0"}},
+      {"--dt nan", {"--dt", "'nan'", "finite"}},
+      {"--dt 1e999", {"--dt", "'1e999'"}},
+      {"--dt 2ms", {"--dt", "'2ms'", "seconds"}},
+      {"--duration -1", {"--duration", "'-1'", "above 0"}},
+      {"--tolerance inf", {"--tolerance", "'inf'", "metres"}},
+      {"--threads 0", {"--threads", "'0'", "from 1"}},
+      {"--threads two", {"--threads", "'two'"}},
+      {"--sheet 20", {"--sheet", "'20'", "4096"}},
+      {"--sheet 0x4", {"--sheet", "'0x4'"}},
+      {"--sheet 4097x4", {"--sheet", "'4097x4'"}},
+      {"--precision half", {"--precision", "'half'", "float", "double"}},
+      {"--integrator euler", {"euler", "explicit-euler", "rk4"}},
+      {"--samples 0", {"--samples", "'0'"}},
+  };
+  for (const Wrong& wrong : table) {
+    const Outcome outcome = tyg(std::string("run curtain ") + wrong.arguments);
+    EXPECT_EQ(outcome.code, 2) << wrong.arguments;
+    for (const std::string& word : wrong.words) {
+      EXPECT_TRUE(holds(outcome.err, word)) << wrong.arguments << ": " << outcome.err;
+    }
+  }
+}
+
+TEST(CommandLine, AWrongSceneFileIsRefusedWithFileAndKey) {
+  const Folder folder;
+  const std::string text =
+      "title = \"odd\"\n[sheet]\ncolumns = 3\nrows = 3\nspacing = 0.1\nparticle_mass = 0.1\nweight = 3\n"
+      "[run]\nduration = 1\nintegrator = \"rk4\"\ndt = 0.01\n";
+  const std::string file = folder.write("odd.toml", text).string();
+  const Outcome outcome = tyg("run " + file);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_TRUE(holds(outcome.err, "odd.toml")) << outcome.err;
+  EXPECT_TRUE(holds(outcome.err, "weight")) << outcome.err;
+}
+
+TEST(CommandLine, ListShowsEverySceneAndMethodWithinEightyColumns) {
+  const Outcome list = tyg("list");
+  EXPECT_EQ(list.code, 0);
+  for (const char* word : {"curtain", "flag", "drop", "symplectic-euler", "report-rk4"}) {
+    EXPECT_TRUE(holds(list.out, word)) << word;
+  }
+  std::istringstream lines(list.out);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
+}
+
+TEST(CommandLine, ListAsJsonHoldsTheSameNames) {
+  const Outcome list = tyg("list --json");
+  EXPECT_EQ(list.code, 0);
+  EXPECT_TRUE(holds(list.out, "\"name\": \"curtain\""));
+  EXPECT_TRUE(holds(list.out, "\"name\": \"leapfrog\""));
+}
+
+}  // namespace
+}  // namespace tyg

@@ -1,0 +1,302 @@
+// `tyg run`: what it reports, what it writes, and how it fails.
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <iomanip>
+#include <regex>
+#include <thread>
+
+#include "app/json.h"
+#include "app/program.h"
+#include "tyg/methods.h"
+#include "tyg/simulation.h"
+
+namespace tyg {
+namespace {
+
+const std::vector<std::string> kKeys{"scene",
+                                     "columns",
+                                     "rows",
+                                     "integrator",
+                                     "precision",
+                                     "threads",
+                                     "dt_asked",
+                                     "dt",
+                                     "steps",
+                                     "force_evaluations",
+                                     "seconds",
+                                     "simulated_seconds",
+                                     "kinetic_J",
+                                     "elastic_J",
+                                     "gravitational_J",
+                                     "work_J",
+                                     "dissipated_J",
+                                     "ledger_drift",
+                                     "max_stretch",
+                                     "stable_dt",
+                                     "hash",
+                                     "status"};
+
+std::vector<std::string> keysOf(const std::string& json) {
+  std::vector<std::string> keys;
+  const std::regex key("\"([A-Za-z_]+)\": ");
+  for (std::sregex_iterator it(json.begin(), json.end(), key); it != std::sregex_iterator(); ++it) {
+    keys.push_back((*it)[1]);
+  }
+  return keys;
+}
+
+/// Does the text have the form of one flat JSON object?
+bool isFlatJson(const std::string& text) {
+  const std::string number = R"(-?(0|[1-9]\d*)(\.\d+)?([eE][+-]?\d+)?)", string = R"("([^"\\\x00-\x1f]|\\.)*")";
+  const std::string member = "\\s*" + string + ":\\s*(" + number + "|" + string + "|null)\\s*";
+  return std::regex_match(text, std::regex("\\{" + member + "(," + member + ")*\\}\\s*"));
+}
+
+std::string json(const std::string& arguments) { return tyg("run " + arguments + " --json").out; }
+
+TEST(Run, JsonIsOneObjectWithTheAgreedKeysInOrder) {
+  const Outcome outcome = tyg("run curtain --duration 0.1 --json");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_TRUE(isFlatJson(outcome.out)) << outcome.out;
+  EXPECT_EQ(keysOf(outcome.out), kKeys);
+}
+
+TEST(Run, JsonComesAfterAFailureToo) {
+  const Outcome outcome = tyg("run curtain --dt 0.01 --json");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_TRUE(isFlatJson(outcome.out)) << outcome.out;
+  EXPECT_EQ(keysOf(outcome.out), kKeys);
+  EXPECT_NE(jsonValue(outcome.out, "status"), "\"ok\"");
+}
+
+TEST(Run, WithoutTheLedgerDissipationAndDriftAreNull) {
+  const std::string without = json("curtain --duration 0.1"), with = json("curtain --duration 0.1 --ledger");
+  EXPECT_EQ(jsonValue(without, "dissipated_J"), "null");
+  EXPECT_EQ(jsonValue(without, "ledger_drift"), "null");
+  EXPECT_GT(std::stod(jsonValue(with, "dissipated_J")), 0);
+  EXPECT_LT(std::abs(std::stod(jsonValue(with, "ledger_drift"))), 1e-3);
+}
+
+TEST(Run, NumbersThatAreNotFiniteAreNull) {
+  const Outcome outcome = tyg("run curtain --dt 0.05 --duration 20 --keep-going --json");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_TRUE(isFlatJson(outcome.out)) << outcome.out;
+  EXPECT_EQ(jsonValue(outcome.out, "kinetic_J"), "null");
+  EXPECT_NE(jsonValue(outcome.out, "status"), "\"ok\"");
+}
+
+TEST(Run, AnUnlimitedSceneHasNoStableStep) {
+  EXPECT_EQ(jsonValue(json("drop --integrator xpbd"), "stable_dt"), "null");
+}
+
+TEST(Run, EveryOverrideReachesTheSimulation) {
+  const std::string report =
+      json("curtain --integrator leapfrog --dt 0.001 --duration 0.05 --precision float --threads 3 --sheet 12x9");
+  EXPECT_EQ(jsonValue(report, "integrator"), "\"leapfrog\"");
+  EXPECT_EQ(jsonValue(report, "dt_asked"), "0.001");
+  EXPECT_EQ(jsonValue(report, "steps"), "50");
+  EXPECT_EQ(jsonValue(report, "simulated_seconds"), "0.05");
+  EXPECT_EQ(jsonValue(report, "precision"), "\"float\"");
+  EXPECT_EQ(jsonValue(report, "threads"), "3");
+  EXPECT_EQ(jsonValue(report, "columns"), "12");
+  EXPECT_EQ(jsonValue(report, "rows"), "9");
+}
+
+TEST(Run, ATighterToleranceMakesAnAdaptiveMethodTakeMoreSteps) {
+  const auto steps = [](const std::string& tolerance) {
+    return std::stoi(jsonValue(json("curtain --integrator bs32 --duration 0.5 --tolerance " + tolerance), "steps"));
+  };
+  EXPECT_GT(steps("1e-8"), 2 * steps("1e-4"));
+}
+
+TEST(Run, TheSummaryNamesUnitsStatusAndHash) {
+  const Outcome outcome = tyg("run curtain --duration 0.1");
+  EXPECT_EQ(outcome.code, 0);
+  for (const char* word : {"rk4", " s ", " J", "hash", "status        ok", "stable step"}) {
+    EXPECT_TRUE(holds(outcome.out, word)) << word;
+  }
+  EXPECT_TRUE(outcome.err.empty()) << outcome.err;
+}
+
+TEST(Run, VerboseSaysWhatIsSimulatedOnStandardErrorOnly) {
+  const Outcome outcome = tyg("run poke --verbose --json");
+  for (const char* word : {"rk4", "order 4", "thread", "0.5 s to 0.6 s"}) EXPECT_TRUE(holds(outcome.err, word)) << word;
+  EXPECT_TRUE(isFlatJson(outcome.out));
+}
+
+TEST(Run, AFailureNamesMethodStepTimeLimitAndAWayOut) {
+  const Outcome outcome = tyg("run curtain --integrator symplectic-euler --dt 0.004");
+  EXPECT_EQ(outcome.code, 1);
+  for (const char* word : {"symplectic-euler", "0.004 s", "t = ", "0.002788 s", "--dt 0.0025"}) {
+    EXPECT_TRUE(holds(outcome.err, word)) << word << " is not in: " << outcome.err;
+  }
+}
+
+TEST(Run, TheAdvisedStepHolds) {
+  const Outcome failed = tyg("run curtain --integrator leapfrog --dt 0.004");
+  std::smatch advice;
+  ASSERT_TRUE(std::regex_search(failed.err, advice, std::regex("Try (--dt [0-9.e-]+[0-9])"))) << failed.err;
+  EXPECT_EQ(tyg("run curtain --integrator leapfrog " + advice[1].str()).code, 0);
+}
+
+TEST(Run, SamplesAreWrittenAtEquallySpacedTimes) {
+  const Folder folder;
+  const std::filesystem::path file = folder / "rows.csv";
+  EXPECT_EQ(tyg("run spring --samples 4 --out " + file.string()).code, 0);
+  std::istringstream rows(contentsOf(file));
+  std::string row;
+  std::getline(rows, row);
+  EXPECT_EQ(row, "t,particle,x,y,z,vx,vy,vz");
+  for (const double time : {2.5, 5.0, 7.5, 10.0}) {
+    for (const char* particle : {"0", "1"}) {
+      ASSERT_TRUE(std::getline(rows, row));
+      EXPECT_DOUBLE_EQ(std::stod(row), time);
+      EXPECT_EQ(row.substr(row.find(',') + 1, 1), particle);
+    }
+  }
+  EXPECT_FALSE(std::getline(rows, row));
+}
+
+TEST(Run, SampledNumbersReadBackToTheSameBits) {
+  const Folder folder;
+  const std::string file = (folder / "rows.csv").string();
+  ASSERT_EQ(tyg("run spring --samples 1 --out " + file).code, 0);
+  const Scene scene = loadScene("spring");
+  Simulation simulation(scene, findMethod(scene.integrator));
+  simulation.advanceTo(scene.duration);
+  const std::string text = contentsOf(file), last = text.substr(text.rfind("\n", text.size() - 2) + 1);
+  std::istringstream row(last);
+  std::string field;
+  for (int skipped = 0; skipped < 4; ++skipped) std::getline(row, field, ',');
+  EXPECT_EQ(std::strtod(field.c_str(), nullptr), simulation.position(1).y) << last;
+}
+
+TEST(Run, ByDefaultTwentyTimesAreSampled) {
+  const Folder folder;
+  EXPECT_EQ(tyg("run chain --out " + (folder / "rows.csv").string()).code, 0);
+  EXPECT_EQ(linesOf(folder / "rows.csv"), 1U + 20U * 20U);
+}
+
+TEST(Run, AnOutputThatCannotBeWrittenIsRefusedBeforeAnythingIsComputed) {
+  const Outcome outcome = tyg("run curtain --dt 1e-7 --duration 1000 --out /nowhere/at/all.csv");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_TRUE(holds(outcome.err, "/nowhere/at/all.csv")) << outcome.err;
+}
+
+TEST(Run, AFailedRunLeavesTheOldFileAlone) {
+  const Folder folder;
+  const std::filesystem::path file = folder.write("rows.csv", "old");
+  EXPECT_EQ(tyg("run curtain --dt 0.01 --out " + file.string()).code, 1);
+  EXPECT_EQ(contentsOf(file), "old");
+  EXPECT_EQ(folder.fileCount(), 1U);
+}
+
+TEST(Run, AnInterruptLeavesNoFileAndSaysSo) {
+  const Folder output, messages;
+  const std::string out = (output / "rows.csv").string(), err = (messages / "err").string();
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    if (std::freopen(err.c_str(), "w", stderr) == nullptr) _exit(3);
+    execl(TYG_PROGRAM, "tyg", "run", "curtain", "--duration", "1e6", "--verbose", "--out", out.c_str(), nullptr);
+    _exit(3);
+  }
+  int status = 0;
+  while (!holds(contentsOf(err), "span") && waitpid(child, &status, WNOHANG) == 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  kill(child, SIGINT);
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_TRUE(holds(contentsOf(err), "interrupted")) << contentsOf(err);
+  EXPECT_EQ(output.fileCount(), 0U);
+}
+
+/// A log as the window writes it, of thirty ticks with a push among them.
+PushLog shortLog(const std::string& hash) {
+  PushLog log;
+  log.scene = "curtain";
+  log.columns = log.rows = 20;
+  log.integrator = "leapfrog";
+  log.dt = 0.001;
+  log.precision = Precision::Float;
+  log.ticks = 30;
+  log.hash = hash;
+  LogEvent push;
+  push.tick = 10;
+  push.particle = 210;
+  push.force = {0, 0, 3};
+  push.ticks = 5;
+  log.events.push_back(push);
+  return log;
+}
+
+std::string replayed(const Folder& folder, const std::string& hash, const std::string& more, Outcome& outcome) {
+  const std::string file = folder.write("clicks.csv", formatPushLog(shortLog(hash))).string();
+  outcome = tyg("run curtain --json --replay " + file + " " + more);
+  return jsonValue(outcome.out, "hash");
+}
+
+TEST(Run, AReplayUsesTheLogsMethodStepAndPrecisionAndEndsInTheSameBits) {
+  Scene scene = loadScene("curtain");
+  scene.precision = Precision::Float;
+  scene.dt = 0.001;
+  Simulation simulation(scene, findMethod("leapfrog"));
+  for (int tick = 0; tick < 30; ++tick) {
+    if (tick == 10) simulation.push(210, {0, 0, 3}, 5);
+    simulation.tick();
+  }
+  std::ostringstream hash;
+  hash << std::hex << std::setw(16) << std::setfill('0') << simulation.hash();
+
+  const Folder folder;
+  Outcome outcome;
+  EXPECT_EQ(replayed(folder, hash.str(), "", outcome), '"' + hash.str() + '"') << outcome.err;
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(jsonValue(outcome.out, "integrator"), "\"leapfrog\"");
+  EXPECT_EQ(jsonValue(outcome.out, "precision"), "\"float\"");
+}
+
+TEST(Run, AReplayThatEndsInOtherBitsFails) {
+  const Folder folder;
+  Outcome outcome;
+  replayed(folder, "0123456789abcdef", "", outcome);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_TRUE(holds(outcome.err, "0123456789abcdef")) << outcome.err;
+}
+
+TEST(Run, AReplayOnAnotherSheetOrPrecisionIsRefused) {
+  const Folder folder;
+  Outcome outcome;
+  replayed(folder, "", "--sheet 10x10", outcome);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_TRUE(holds(outcome.err, "20x20")) << outcome.err;
+  replayed(folder, "", "--precision double", outcome);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_TRUE(holds(outcome.err, "float")) << outcome.err;
+}
+
+TEST(Run, AReplayOfAMissingFileIsRefused) {
+  const Outcome outcome = tyg("run curtain --replay /nowhere.csv");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_TRUE(holds(outcome.err, "/nowhere.csv"));
+}
+
+TEST(Json, StringsAreEscapedAndStayValidUtf8) {
+  EXPECT_EQ(jsonString("a\"b\\c\n\t\x01"), R"("a\"b\\c\n\t\u0001")");
+  EXPECT_EQ(jsonString("\xC3\xA5"), "\"\xC3\xA5\"");
+  EXPECT_EQ(jsonString("\xE5x"), "\"\\ufffdx\"");
+}
+
+TEST(Json, NumbersReadBackAsThemselvesAndNonFiniteOnesAreNull) {
+  EXPECT_EQ(jsonNumber(0.1), "0.1");
+  EXPECT_EQ(jsonNumber(std::nan("")), "null");
+  EXPECT_EQ(jsonNumber(-INFINITY), "null");
+}
+
+}  // namespace
+}  // namespace tyg

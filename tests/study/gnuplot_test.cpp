@@ -1,0 +1,60 @@
+// gnuplot as a child process: drawn, failed or missing, each told apart.
+#include "study/gnuplot.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <set>
+
+namespace tyg {
+namespace {
+
+using Kind = GnuplotOutcome::Kind;
+
+/// A folder of its own with a script in it.
+class Gnuplot : public testing::Test {
+ protected:
+  Gnuplot() {
+    std::string name = (std::filesystem::temp_directory_path() / "tyg-gnuplot-XXXXXX").string();
+    folder_ = mkdtemp(name.data());
+  }
+  ~Gnuplot() override { std::filesystem::remove_all(folder_); }
+
+  GnuplotOutcome run(const std::string& script, const std::vector<std::string>& definitions = {}) {
+    std::ofstream(folder_ / "a.gp") << script;
+    return runGnuplot(folder_, "a.gp", definitions);
+  }
+  std::filesystem::path folder_;
+};
+
+TEST_F(Gnuplot, DrawsInItsFolderWithTheDefinitionsGiven) {
+  const GnuplotOutcome outcome =
+      run("set terminal svg\nset output name\nplot sin(x)\nunset output\n", {"name=" + gnuplotQuoted("it's.svg")});
+  EXPECT_EQ(outcome.kind, Kind::Drawn) << outcome.message;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "it's.svg"));
+}
+
+TEST_F(Gnuplot, AScriptWithAMistakeFailsWithWhatGnuplotSaid) {
+  const GnuplotOutcome outcome = run("plot nothing_of_that_name\n");
+  EXPECT_EQ(outcome.kind, Kind::Failed);
+  EXPECT_NE(outcome.message.find("nothing_of_that_name"), std::string::npos) << outcome.message;
+}
+
+TEST_F(Gnuplot, WithoutGnuplotItIsMissing) {
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", folder_.c_str(), 1);
+  const GnuplotOutcome outcome = run("plot sin(x)\n");
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(outcome.kind, Kind::Missing);
+}
+
+TEST(ChartColour, SevenColoursAreDifferent) {
+  std::set<std::string> colours;
+  for (std::size_t k = 0; k < 7; ++k) colours.insert(chartColour(k));
+  EXPECT_EQ(colours.size(), 7U);
+  EXPECT_EQ(chartColour(7), chartColour(0));
+}
+
+}  // namespace
+}  // namespace tyg

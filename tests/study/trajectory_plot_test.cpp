@@ -1,0 +1,140 @@
+// Following particles: which, at what times, and what the rows say.
+#include "study/trajectory_plot.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "tyg/methods.h"
+
+namespace tyg {
+namespace {
+
+const auto kNeverStop = [](std::size_t, double) { return true; };
+
+/// Two weights and two held particles, one weight drawn out to the side.
+Scene square() {
+  Scene scene;
+  scene.title = "Square";
+  scene.columns = scene.rows = 2;
+  scene.pins = {{.name = "top-left"}, {.name = "top-right"}};
+  scene.structural.ks = scene.shear.ks = 40;
+  scene.displacements = {{.particle = {.name = "bottom-left"}, .by = {-0.3, 0, 0}}};
+  scene.integrator = "rk4";
+  scene.duration = 1;
+  scene.dt = 0.01;
+  return scene;
+}
+
+std::vector<std::string> labels(const std::vector<ChartedParticle>& particles) {
+  std::vector<std::string> names;
+  for (const ChartedParticle& particle : particles) names.push_back(particle.label);
+  return names;
+}
+
+TrajectoryStudy follow(const Scene& scene, const std::vector<const char*>& names) {
+  std::vector<const Method*> methods;
+  for (const char* name : names) methods.push_back(&findMethod(name));
+  return followParticles(scene, usualParticles(scene), methods, 1, kNeverStop);
+}
+
+TEST(TrajectoryPlot, FollowsTheParticlesThatWereDrawnOut) {
+  EXPECT_EQ(labels(usualParticles(square())), std::vector<std::string>{"bottom-left"});
+}
+
+TEST(TrajectoryPlot, FollowsThePushedParticlesOtherwise) {
+  Scene scene = square();
+  scene.displacements.clear();
+  scene.pushes = {{.particle = {.name = "", .column = 1, .row = 1}, .force = {1, 0, 0}, .at = 0, .duration = 0.1}};
+  EXPECT_EQ(labels(usualParticles(scene)), std::vector<std::string>{"1:1"});
+}
+
+TEST(TrajectoryPlot, FollowsFreeNamedParticlesWhereNothingIsDoneToTheCloth) {
+  Scene scene = square();
+  scene.displacements.clear();
+  scene.columns = scene.rows = 5;
+  EXPECT_EQ(labels(usualParticles(scene)), (std::vector<std::string>{"bottom-left", "middle"}));
+}
+
+TEST(TrajectoryPlot, ParticlesAreNamedOrGivenByColumnAndRow) {
+  EXPECT_EQ(chartedParticle(square(), "bottom-right").index, 3);
+  EXPECT_EQ(chartedParticle(square(), "1:0").index, 1);
+  for (const char* wrong : {"bottom", "top", "2:0", "1:", ":1", "one:two"}) {
+    EXPECT_THROW(chartedParticle(square(), wrong), InputError) << wrong;
+  }
+}
+
+TEST(TrajectoryPlot, SamplesEveryStepOfAShortRun) {
+  const TrajectoryStudy study = follow(square(), {"rk4"});
+  const std::vector<double>& times = study.runs[0].times;
+  ASSERT_EQ(times.size(), 101U);
+  EXPECT_EQ(times.front(), 0);
+  EXPECT_EQ(times[50], 50 * 0.01);
+  EXPECT_EQ(times.back(), 1);
+}
+
+TEST(TrajectoryPlot, ALongRunIsThinnedWithoutChangingItsSteps) {
+  Scene scene = square();
+  scene.dt = 0.0003;
+  const TrajectoryStudy study = follow(scene, {"rk4"});
+  EXPECT_LE(study.runs[0].times.size(), static_cast<std::size_t>(kTrajectorySamples) + 2);
+  Simulation alone(scene, findMethod("rk4"));
+  alone.advanceTo(study.runs[0].times[300]);
+  EXPECT_NEAR(study.runs[0].ways[0][300].x, alone.position(2).x, 1e-12);  // m; steps may differ in their last bits
+}
+
+TEST(TrajectoryPlot, ComparesWithTheHighestOrder) {
+  EXPECT_EQ(follow(square(), {"symplectic-euler", "rk4", "leapfrog"}).finest, 1U);
+}
+
+TEST(TrajectoryPlot, AFailedRunStaysWithItsStatusAndIsNotComparedWith) {
+  Scene scene = square();
+  scene.duration = 20;
+  scene.dt = 0.3;
+  const TrajectoryStudy study = follow(scene, {"rk4", "backward-euler"});
+  EXPECT_NE(study.runs[0].status, Status::Ok);
+  EXPECT_TRUE(std::isfinite(study.runs[0].failedAt));
+  EXPECT_EQ(study.finest, 1U);
+  EXPECT_NE(trajectoryScript(study).find("at " +
+                                         [&] {
+                                           std::ostringstream time;
+                                           time << study.runs[0].failedAt;
+                                           return time.str();
+                                         }()),
+            std::string::npos);
+}
+
+TEST(TrajectoryPlot, RowsHoldEveryRunParticleAndTimeWithTheDistanceFromTheFinest) {
+  const TrajectoryStudy study = follow(square(), {"symplectic-euler", "rk4"});
+  std::istringstream rows(trajectoryCsv(study));
+  std::string row;
+  std::getline(rows, row);
+  EXPECT_EQ(row, "integrator,particle,t,x,y,z,distance,status");
+  int count = 0;
+  while (std::getline(rows, row)) {
+    ++count;
+    EXPECT_EQ(std::count(row.begin(), row.end(), ','), 7) << row;
+    EXPECT_TRUE(row.rfind("rk4", 0) != 0 || row.find(",0,ok") != std::string::npos) << row;
+  }
+  EXPECT_EQ(count, 2 * 101);
+}
+
+TEST(TrajectoryPlot, ACoordinateThatNeverChangesGetsNoPanel) {
+  const std::string script = trajectoryScript(follow(square(), {"rk4"}));
+  EXPECT_NE(script.find("'x (m)'"), std::string::npos);
+  EXPECT_EQ(script.find("'z (m)'"), std::string::npos);
+  EXPECT_NE(script.find("z does not change"), std::string::npos);
+}
+
+TEST(TrajectoryPlot, TheObserverStopsEverything) {
+  const auto stopAtHalf = [](std::size_t, double time) { return time < 0.5; };
+  const TrajectoryStudy study =
+      followParticles(square(), usualParticles(square()), {&findMethod("rk4"), &findMethod("leapfrog")}, 1, stopAtHalf);
+  EXPECT_EQ(study.runs.size(), 1U);
+  EXPECT_LT(study.runs[0].times.back(), 0.5);
+}
+
+}  // namespace
+}  // namespace tyg
