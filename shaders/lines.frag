@@ -1,0 +1,21 @@
+// The soft edge of a line, and its colour faded with distance. Drawn twice: first the solid middles, which hide what is
+// behind them, then the soft edges, which hide nothing. Drawn at once, the edge of a near line would cut into a far one.
+#version 330 core
+
+uniform vec3 colour;
+uniform vec3 background;
+uniform float fade;   // how far the farthest part of the cloth goes towards the background, 0..1
+uniform int pass;     // 0: middles, 1: edges, 2: both at once
+
+noperspective in float across;
+noperspective in float halfWidth;
+noperspective in float opacity;
+in float farness;
+out vec4 painted;
+
+void main() {
+  float cover = clamp(halfWidth + 0.5 - abs(across), 0.0, 1.0);
+  bool solid = cover >= 0.5;
+  if (cover <= 0.0 || (pass == 0 && !solid) || (pass == 1 && solid)) discard;
+  painted = vec4(mix(colour, background, fade * farness), cover * opacity);
+}

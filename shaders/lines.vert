@@ -1,0 +1,64 @@
+// One line as two triangles in window space: six vertices per line, end points fetched by index. Widths in pixels.
+#version 330 core
+
+uniform samplerBuffer positions;  // x, y, z of each particle in three texels, m
+uniform usamplerBuffer lines;     // the two particles of each line
+uniform mat4 view;
+uniform mat4 projection;
+uniform vec2 pixels;              // size of the window
+uniform float focal;              // pixels per metre at a distance of one metre
+uniform float nearest;            // distance at which lines are cut, m
+uniform float width;              // pixels, at the distance `middle`
+uniform float spacing;            // m between neighbouring lines of the mesh; 0: not a mesh, never thinned
+uniform float middle;             // distance to the middle of the cloth, m
+uniform float sideways;           // pixels to draw the line beside its place (two families may share one place)
+uniform vec2 depths;              // of the nearest and the farthest part of the cloth, m
+
+noperspective out float across;   // pixels from the line's middle
+noperspective out float halfWidth;
+noperspective out float opacity;
+out float farness;                // 0 at the cloth's nearest part, 1 at the farthest
+
+const vec2 kCorners[6] = vec2[6](vec2(0, -1), vec2(1, -1), vec2(0, 1), vec2(0, 1), vec2(1, -1), vec2(1, 1));
+const float kFringe = 0.75;       // pixels on each side that hold the soft edge
+const float kDensest = 0.3;       // share of the space between lines that a line may fill
+const float kThinnest = 1.0;      // pixels; below that a line grows fainter instead
+
+vec3 viewPosition(uint particle) {
+  int i = 3 * int(particle);
+  vec3 p = vec3(texelFetch(positions, i).r, texelFetch(positions, i + 1).r, texelFetch(positions, i + 2).r);
+  return (view * vec4(p, 1)).xyz;
+}
+
+vec2 windowPosition(vec4 clip) { return clip.xy / clip.w * pixels / 2; }
+
+void main() {
+  vec2 corner = kCorners[gl_VertexID % 6];
+  uvec2 ends = texelFetch(lines, gl_VertexID / 6).rg;
+  vec3 a = viewPosition(ends.x), b = viewPosition(ends.y);
+  across = halfWidth = opacity = farness = 0.0;
+  gl_Position = vec4(2, 2, 2, 1);  // all six vertices in one point outside: nothing is drawn
+  // Written so that positions that are not numbers are dropped as well.
+  if (!(a.z <= -nearest || b.z <= -nearest)) return;
+  if (!(a.z <= -nearest)) a = mix(b, a, (-nearest - b.z) / (a.z - b.z));
+  if (!(b.z <= -nearest)) b = mix(a, b, (-nearest - a.z) / (b.z - a.z));
+
+  vec4 clipA = projection * vec4(a, 1), clipB = projection * vec4(b, 1);
+  vec2 along = windowPosition(clipB) - windowPosition(clipA);
+  float reach = length(along);
+  along = reach > 1e-4 ? along / reach : vec2(1, 0);
+
+  float depth = corner.x < 0.5 ? -a.z : -b.z;
+  float wanted = width * clamp(middle / depth, 0.8, 1.5);  // nearer is a little wider
+  if (spacing > 0.0) wanted = min(wanted, kDensest * spacing * focal / depth);
+  float drawn = max(wanted, kThinnest);
+  opacity = min(wanted / drawn, 1.0);
+  halfWidth = drawn / 2;
+  across = corner.y * (halfWidth + kFringe);
+  farness = clamp((depth - depths.x) / (depths.y - depths.x), 0.0, 1.0);
+
+  vec4 clip = corner.x < 0.5 ? clipA : clipB;
+  float aside = across + sideways * wanted / width;
+  clip.xy += vec2(-along.y, along.x) * aside * 2 / pixels * clip.w;
+  gl_Position = clip;
+}
