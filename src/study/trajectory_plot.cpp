@@ -49,10 +49,15 @@ void sample(const Simulation& simulation, const std::vector<ChartedParticle>& pa
   for (std::size_t p = 0; p < particles.size(); ++p) run.ways[p].push_back(simulation.position(particles[p].index));
 }
 
-/// The held run of the highest order; the first one where none held.
+/// The held run of the highest order, fixed-step methods first: an adaptive one is as exact as its tolerance asks,
+/// which says nothing about its order. The first run where none held.
 std::size_t finestOf(const std::vector<Trajectory>& runs) {
+  constexpr int kAboveEveryOrder = 100;
   std::size_t finest = 0;
-  const auto rank = [&](std::size_t k) { return runs[k].status == Status::Ok ? runs[k].method->order : -1; };
+  const auto rank = [&](std::size_t k) {
+    if (runs[k].status != Status::Ok) return -1;
+    return runs[k].method->order + (runs[k].method->adaptive ? 0 : kAboveEveryOrder);
+  };
   for (std::size_t k = 1; k < runs.size(); ++k) {
     if (rank(k) > rank(finest)) finest = k;
   }

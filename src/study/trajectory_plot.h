@@ -36,7 +36,8 @@ struct TrajectoryStudy {
   Scene scene;
   std::vector<ChartedParticle> particles;
   std::vector<Trajectory> runs;
-  std::size_t finest = 0;  ///< the run that the others are compared with: that of the highest order which held
+  std::size_t finest =
+      0;  ///< the run that the others are compared with: the fixed-step one of the highest order that held
 };
 
 /// Samples that are enough for a smooth curve.

@@ -87,6 +87,8 @@ TEST(TrajectoryPlot, ALongRunIsThinnedWithoutChangingItsSteps) {
 
 TEST(TrajectoryPlot, ComparesWithTheHighestOrder) {
   EXPECT_EQ(follow(square(), {"symplectic-euler", "rk4", "leapfrog"}).finest, 1U);
+  EXPECT_EQ(follow(square(), {"dopri54", "leapfrog"}).finest, 1U)
+      << "an adaptive method is as exact as it is told to be";
 }
 
 TEST(TrajectoryPlot, AFailedRunStaysWithItsStatusAndIsNotComparedWith) {
