@@ -126,7 +126,7 @@ int plot(const PlotOptions& options) {
   const InterruptWatch watch;
   const TrajectoryStudy study = followed(scene, options);
   if (interrupted()) {
-    std::cerr << "\ntyg plot: interrupted; nothing was written" << std::endl;
+    std::cerr << "tyg plot: interrupted; nothing was written" << std::endl;
     return kInterrupted;
   }
   sayWhatFailed(study);

@@ -103,12 +103,14 @@ class Run {
       if (file != nullptr && goesOn()) file->add(simulation_);
     }
     simulation_.check();
+    progress_.finish();
   }
 
   void replay(const PushLog& log) {
     simulation_.replay(log, methods());
     while (simulation_.ticks() < log.ticks && goesOn()) timed([&] { simulation_.tick(); });
     simulation_.check();
+    progress_.finish();
   }
 
   [[nodiscard]] Simulation& simulation() { return simulation_; }
@@ -171,7 +173,7 @@ int run(const RunOptions& options) {
     run->toTheEnd(file ? &*file : nullptr);
   }
   if (interrupted()) {
-    std::cerr << "\ntyg run: interrupted at t = " << run->simulation().time() << " s; nothing was written" << std::endl;
+    std::cerr << "tyg run: interrupted at t = " << run->simulation().time() << " s; nothing was written" << std::endl;
     return kInterrupted;
   }
   if (file && !run->failed()) file->keep();

@@ -18,8 +18,11 @@ constexpr const char* kWipe = "\r\033[K";
 Progress::Progress(std::string what)
     : what_(std::move(what)), terminal_(isatty(STDERR_FILENO) == 1), nextDraw_(start_ + kQuietAtFirst) {}
 
-Progress::~Progress() {
+Progress::~Progress() { finish(); }
+
+void Progress::finish() {
   if (drawn_) std::fputs(kWipe, stderr);
+  drawn_ = false;
 }
 
 void Progress::show(double fraction) {

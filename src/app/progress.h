@@ -8,7 +8,7 @@
 namespace tyg {
 
 /// Shows on standard error, only where that is a terminal and only once the work has taken half a second. The line is
-/// wiped when this object goes.
+/// wiped when the work is finished or this object goes.
 class Progress {
  public:
   /// `what` is a few words in front of the percentage.
@@ -19,6 +19,8 @@ class Progress {
 
   /// `fraction` of the work done, in [0, 1]. Cheap: draws ten times a second at most.
   void show(double fraction);
+  /// Wipes the line, so that a message can follow.
+  void finish();
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <set>
 
 #include "study/trajectory_distance.h"
@@ -36,10 +37,10 @@ std::vector<ChartedParticle> chartedOnce(const Sheet& sheet, const std::vector<P
 }
 
 std::vector<double> sampleTimes(const Scene& scene) {
-  const double steps = std::ceil(scene.duration / scene.dt - 1e-9);
-  const double stride = std::max(1.0, std::ceil(steps / kTrajectorySamples));
+  const auto steps = static_cast<std::int64_t>(std::ceil(scene.duration / scene.dt - 1e-9));
+  const std::int64_t stride = std::max<std::int64_t>(1, (steps + kTrajectorySamples - 1) / kTrajectorySamples);
   std::vector<double> times;
-  for (double k = stride; k < steps; k += stride) times.push_back(k * scene.dt);
+  for (std::int64_t k = stride; k < steps; k += stride) times.push_back(static_cast<double>(k) * scene.dt);
   times.push_back(scene.duration);
   return times;
 }

@@ -14,7 +14,7 @@ namespace {
 
 // In pixels of the PNG, and of the SVG before it is scaled.
 constexpr double kColumnWidth = 1180, kSingleWidth = 1600, kPanelHeight = 270, kGap = 36;
-constexpr double kLeft = 190, kRight = 50, kBottom = 110;
+constexpr double kLeft = 190, kRight = 50, kBottom = 140;
 constexpr double kHead = 150, kLegendRow = 44, kSampleWidth = 120, kCharacterWidth = 11.5;
 
 constexpr std::array kCoordinates{&Vec3::x, &Vec3::y, &Vec3::z};
@@ -250,8 +250,9 @@ class Script {
     const std::size_t columns = legendColumns();
     const double entryWidth = (width_ - kLeft - kRight) / double(std::max<std::size_t>(columns, 3));
     for (std::size_t k = 0; k < study_.runs.size(); ++k) {
+      const std::size_t row = k / columns;
       const double x = kLeft + entryWidth * double(k % columns);
-      const double y = 1 - (kHead + kLegendRow * double(k / columns)) / height_;
+      const double y = 1 - (kHead + kLegendRow * double(row)) / height_;
       out_ << "  set arrow from screen " << x / width_ << "," << y << " to screen " << (x + kSampleWidth - 30) / width_
            << "," << y << " nohead " << style(k) << "\n";
       label(nameOfRun(k), (x + kSampleWidth - 15) / width_, y, "left", 1.0);
