@@ -33,6 +33,16 @@ class Forces {
   /// Force on every particle at these positions and velocities. Counts as one force evaluation.
   void evaluate(const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force);
 
+  /// Whether the fused updates below may be used now: where a push acts or the ledger follows the dissipation, forces
+  /// have to be seen one evaluation at a time.
+  [[nodiscard]] bool canAdvance() const;
+  static constexpr int kMostSteps = 64;  ///< of one call
+  /// `count` steps v += h/m F(x, v); x += h v, with the same bits as evaluating and updating step by step.
+  void kickAndDrift(State<T>& state, double h, int count);
+  /// `count` steps v += h/2m F; v += h/2m F; x += h v; predicted = v + h/2m F with F(x, predicted): leapfrog with the
+  /// velocity at half steps. The same bits as step by step.
+  void leapfrog(State<T>& state, VectorField<T>& predicted, double h, int count);
+
   /// Gravity, drag and pushes alone, for methods that treat springs in a way of their own. No force evaluation.
   void evaluateWithoutSprings(const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force);
   /// Works out the power of this state for the ledger, where it is wanted, as an evaluation would.
@@ -74,9 +84,11 @@ class Forces {
 
  private:
   struct Kernel;
-  template <class BandKernel>
-  void runKernel(BandKernel forcesOfBand, const VectorField<T>& position, const VectorField<T>& velocity,
-                 VectorField<T>& force);
+  template <class Loop>
+  void runBands(Loop stage, int families, const VectorField<T>& position, const VectorField<T>& velocity,
+                VectorField<T>& force);
+  template <class Task>
+  void advance(Task task, State<T>& state, double h, int count);
   struct PushedParticle {
     std::ptrdiff_t at;
     Vec3 force;

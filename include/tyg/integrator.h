@@ -17,6 +17,11 @@ class Integrator {
   virtual ~Integrator() = default;
   /// One step of h seconds (> 0). The forces hold constant parameters during the step.
   virtual void step(Forces<T>& forces, State<T>& state, double h) = 0;
+  /// `count` such steps, 1 to Forces::kMostSteps. The bits are those of step() again and again; methods whose force,
+  /// kick and drift fit in one pass over the rows do better.
+  virtual void steps(Forces<T>& forces, State<T>& state, double h, int count) {
+    for (int k = 0; k < count; ++k) step(forces, state, h);
+  }
   /// Adaptive methods: one accepted step of at most `most` seconds whose estimated error is within `tolerance` metres
   /// (> 0); returns the step taken. Others take the whole of `most`.
   virtual double stepWithin(Forces<T>& forces, State<T>& state, double most, double /*tolerance*/) {

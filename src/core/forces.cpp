@@ -2,6 +2,9 @@
 #include "tyg/forces.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <thread>
 
 #include "core/row_kernel.h"
 #include "tyg/workers.h"
@@ -41,18 +44,42 @@ AlignedVector<T> maskOfFree(const Layout& layout, const Sheet& sheet) {
   return mask;
 }
 
+/// How far a group of steps has come, alone on its cache line.
+struct alignas(64) Progress {
+  std::atomic<int> rows{0};
+
+  /// Another thread works on it right now: spinning is short, and gives way where threads share cores.
+  void await(int wanted) const {
+    for (int spin = 0; rows.load(std::memory_order_acquire) < wanted; ++spin) {
+      if (spin > 1000) std::this_thread::yield();
+    }
+  }
+};
+
+constexpr int kGroup = 4;
+
 }  // namespace
 
 template <class T>
 struct Forces<T>::Kernel {
   const RowKernels<T>& kernels = rowKernels<T>();
-  void (*forcesOfBand)(const RowBand<T>&) = nullptr;
-  RowBand<T> band;       // all that does not change from call to call
+  RowTask<T> task;  // all that does not change from call to call; its loops store the forces
   EnergyRow<T> energyRow;
   AlignedVector<T> hasRight, hasRight2, isFree;
-  std::vector<AlignedVector<T>> scratch;  // per thread
+  std::vector<AlignedVector<T>> scratch;  // per thread and step of a group
   std::vector<RowEnergy> rowEnergies;     // per row
   double particleMass = 0;
+  int families = 0;
+  std::array<Progress, kMostSteps / kGroup> finished;  // rows, by each group of steps
+
+  [[nodiscard]] RowLoop<T> finish(int familyBits, Update update) const {
+    return kernels.finish[familyBits][int(update)][task.drag > T(0) ? 1 : 0];
+  }
+  T* cleanScratch(int slot) {
+    AlignedVector<T>& memory = scratch[static_cast<std::size_t>(slot)];
+    std::fill(memory.begin(), memory.end(), T(0));
+    return memory.data();
+  }
 };
 
 template <class T>
@@ -62,26 +89,27 @@ Forces<T>::Forces(const Scene& scene, const Sheet& sheet, Workers& workers)
       inverseMass_(1.0 / sheet.particleMass),
       kernel_(std::make_unique<Kernel>()) {
   Kernel& k = *kernel_;
-  k.forcesOfBand = k.kernels.forces[familiesOf(scene)][int(dampingOf(scene))];
   k.hasRight = columnMask<T>(layout_, 1);
   k.hasRight2 = columnMask<T>(layout_, 2);
   k.isFree = maskOfFree<T>(layout_, sheet);
-  k.scratch.assign(static_cast<std::size_t>(workers.threads()), AlignedVector<T>(rowScratchSize(layout_.stride)));
+  k.scratch.assign(static_cast<std::size_t>(workers.threads() * kGroup), AlignedVector<T>(rowScratchSize(layout_.stride)));
   k.rowEnergies.resize(static_cast<std::size_t>(layout_.rows));
   k.particleMass = sheet.particleMass;
 
-  RowBand<T>& band = k.band;
+  RowTask<T>& task = k.task;
+  k.families = familiesOf(scene);
+  task.stage = k.kernels.stage[k.families][int(dampingOf(scene))];
   constexpr int kVector = 64 / sizeof(T);  // numbers in the widest vector register
-  band.width = (layout_.columns + kVector - 1) / kVector * kVector;
-  band.rows = layout_.rows;
-  band.stride = layout_.stride, band.plane = layout_.plane;
-  band.hasRight = k.hasRight.data(), band.hasRight2 = k.hasRight2.data(), band.isFree = k.isFree.data();
+  task.width = (layout_.columns + kVector - 1) / kVector * kVector;
+  task.rows = layout_.rows;
+  task.stride = layout_.stride, task.plane = layout_.plane;
+  task.hasRight = k.hasRight.data(), task.hasRight2 = k.hasRight2.data(), task.isFree = k.isFree.data();
   const double rest[] = {restLength(sheet, Family::Structural), restLength(sheet, Family::Shear),
                          restLength(sheet, Family::Bend)};
-  band.structural = lawOf<T>(scene.structural, rest[0]);
-  band.shear = lawOf<T>(scene.shear, rest[1]);
-  band.bend = lawOf<T>(scene.bend, rest[2]);
-  band.drag = T(scene.drag);
+  task.structural = lawOf<T>(scene.structural, rest[0]);
+  task.shear = lawOf<T>(scene.shear, rest[1]);
+  task.bend = lawOf<T>(scene.bend, rest[2]);
+  task.drag = T(scene.drag);
 
   EnergyRow<T>& row = k.energyRow;
   row.columns = layout_.columns, row.rows = layout_.rows;
@@ -94,7 +122,7 @@ Forces<T>::Forces(const Scene& scene, const Sheet& sheet, Workers& workers)
   const double gravity[] = {scene.gravity.x, scene.gravity.y, scene.gravity.z};
   for (int axis = 0; axis < 3; ++axis) {
     row.weight[axis] = sheet.particleMass * gravity[axis];
-    band.weight[axis] = T(row.weight[axis]);
+    task.weight[axis] = T(row.weight[axis]);
   }
 }
 
@@ -103,7 +131,7 @@ Forces<T>::~Forces() = default;
 
 template <class T>
 void Forces<T>::evaluate(const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force) {
-  runKernel(kernel_->forcesOfBand, position, velocity, force);
+  runBands(kernel_->task.stage, kernel_->families, position, velocity, force);
   ++account_.evaluations;
   measurePower(position, velocity);
 }
@@ -111,26 +139,83 @@ void Forces<T>::evaluate(const VectorField<T>& position, const VectorField<T>& v
 template <class T>
 void Forces<T>::evaluateWithoutSprings(const VectorField<T>& position, const VectorField<T>& velocity,
                                        VectorField<T>& force) {
-  runKernel(kernel_->kernels.forces[0][int(DampingTerm::None)], position, velocity, force);
+  runBands(kernel_->kernels.stage[0][int(DampingTerm::None)], 0, position, velocity, force);
 }
 
+/// Each thread finishes a band of rows; the two rows above it are staged again rather than waited for.
 template <class T>
-template <class BandKernel>
-void Forces<T>::runKernel(BandKernel forcesOfBand, const VectorField<T>& position, const VectorField<T>& velocity,
-                          VectorField<T>& force) {
+template <class Loop>
+void Forces<T>::runBands(Loop stage, int families, const VectorField<T>& position, const VectorField<T>& velocity,
+                         VectorField<T>& force) {
   Kernel& k = *kernel_;
   workers_.forBands(layout_.rows, [&](int first, int last, int thread) {
-    RowBand<T> band = k.band;
-    band.first = first, band.last = last;
-    band.position = position.x(), band.velocity = velocity.x(), band.force = force.x();
-    band.scratch = k.scratch[static_cast<std::size_t>(thread)].data();
-    forcesOfBand(band);
+    RowTask<T> task = k.task;
+    task.stage = stage;
+    task.finish = k.finish(families, Update::Store);
+    task.position = position.x(), task.velocity = velocity.x(), task.force = force.x();
+    task.scratch = k.cleanScratch(thread);
+    for (int row = std::max(0, first - 2); row < last; ++row) k.kernels.row(task, row, row >= first);
   });
   for (const PushedParticle& push : pushes_) {
     force.x()[push.at] += T(push.force.x);
     force.y()[push.at] += T(push.force.y);
     force.z()[push.at] += T(push.force.z);
   }
+}
+
+template <class T>
+bool Forces<T>::canAdvance() const {
+  return pushes_.empty() && !trackDissipation_;
+}
+
+template <class T>
+void Forces<T>::kickAndDrift(State<T>& state, double h, int count) {
+  RowTask<T> task = kernel_->task;
+  task.finish = kernel_->finish(kernel_->families, Update::KickAndDrift);
+  task.velocity = state.velocity.x();
+  task.kick = T(h * inverseMass_);
+  advance(task, state, h, count);
+}
+
+template <class T>
+void Forces<T>::leapfrog(State<T>& state, VectorField<T>& predicted, double h, int count) {
+  RowTask<T> task = kernel_->task;
+  task.finish = kernel_->finish(kernel_->families, Update::Leapfrog);
+  task.velocity = task.seen = predicted.x();
+  task.kick = T(h / 2 * inverseMass_);
+  advance(task, state, h, count);
+}
+
+/// Steps follow each other down the sheet: a step may finish a row once the step before has finished the two below it.
+/// Steps in groups of kGroup stay within one thread's cache; groups are dealt out to the threads in turn.
+template <class T>
+template <class Task>
+void Forces<T>::advance(Task task, State<T>& state, double h, int count) {
+  Kernel& k = *kernel_;
+  task.position = task.moving = state.position.x();
+  task.kicked = state.velocity.x();
+  task.step = T(h);
+  account_.evaluations += count;
+  const int rows = layout_.rows, groups = (count + kGroup - 1) / kGroup;
+  for (int group = 0; group < groups; ++group) k.finished[std::size_t(group)].rows.store(0, std::memory_order_relaxed);
+  workers_.forBands(workers_.threads(), [&](int first, int, int thread) {
+    for (int group = first; group < groups; group += workers_.threads()) {
+      const int steps = std::min(kGroup, count - group * kGroup), lag = 2 * (steps - 1);
+      std::array<RowTask<T>, kGroup> tasks;
+      for (int step = 0; step < steps; ++step) {
+        tasks[std::size_t(step)] = task;
+        tasks[std::size_t(step)].scratch = k.cleanScratch(thread * kGroup + step);
+      }
+      for (int front = 0; front < rows + lag; ++front) {
+        if (group > 0) k.finished[std::size_t(group - 1)].await(std::min(front + 3, rows));
+        for (int step = 0; step < steps; ++step) {
+          const int row = front - 2 * step;
+          if (row >= 0 && row < rows) k.kernels.row(tasks[std::size_t(step)], row, true);
+        }
+        k.finished[std::size_t(group)].rows.store(front - lag + 1, std::memory_order_release);
+      }
+    }
+  });
 }
 
 template <class T>

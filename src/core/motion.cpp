@@ -24,7 +24,7 @@ class MotionOf final : public Motion {
   }
 
   void useMethod(const Method& method) override { integrator_ = method.make<T>(scene_, sheet_); }
-  void step(double h) override { integrator_->step(forces_, state_, h); }
+  void steps(double h, int count) override { integrator_->steps(forces_, state_, h, count); }
   double stepWithin(double most, double tolerance) override {
     return integrator_->stepWithin(forces_, state_, most, tolerance);
   }

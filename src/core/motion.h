@@ -19,7 +19,8 @@ class Motion {
 
   virtual ~Motion() = default;
   virtual void useMethod(const Method& method) = 0;
-  virtual void step(double h) = 0;
+  /// `count` steps of h seconds, 1 to 64.
+  virtual void steps(double h, int count) = 0;
   /// See Integrator::stepWithin.
   virtual double stepWithin(double most, double tolerance) = 0;
   virtual void clearPushes() = 0;

@@ -1,10 +1,12 @@
-// The inner loop: forces of all springs, row by row, each spring once.
+// The inner loops: forces of all springs, row by row, each spring once, and what a step does with them.
 //
 // Particle (i, row) owns six springs: right and down (structural), down-right and, for its right neighbour, down-left
-// (shear), two to the right and two down (bend). A first loop along the row computes them from contiguous loads; what the
-// other ends feel is staged: `right` and `right2` for neighbours in the same row, `below` (a ring of three rows) and
-// `diagonal` for rows to come. A second loop adds own forces and what neighbours have left. No load or store is scattered
-// and no iteration depends on another, so the compiler vectorises both, and every width gives the same bits.
+// (shear), two to the right and two down (bend). `stageSprings` computes them along the row from contiguous loads; what
+// the other ends feel is staged: `right` and `right2` for neighbours in the same row, `below` (a ring of three rows) and
+// `diagonal` for rows to come. `finishForces` then adds own forces and what neighbours have left, and stores the sum or
+// moves the particle with it: no spring owned further on looks back at this row, so that is safe in place. No load or
+// store is scattered and no iteration depends on another: the compiler vectorises both, and every width gives the same
+// bits.
 // Included by row_kernel_level.cpp alone; everything here is private to one vector level.
 #pragma once
 
@@ -52,15 +54,15 @@ constexpr T kTiny = sizeof(T) == sizeof(float) ? T(1e-30F) : T(1e-300);
 /// Force on the particle at `a` from the spring to the one at `b` (model equation: spring part plus damping); `exists` is
 /// 1 or 0.
 template <DampingTerm damping, class T>
-TYG_INLINE Vec<T> springForce(const RowBand<T>& band, const SpringLaw<T>& law, T exists, std::ptrdiff_t a,
+TYG_INLINE Vec<T> springForce(const RowTask<T>& task, const SpringLaw<T>& law, T exists, std::ptrdiff_t a,
                               std::ptrdiff_t b) {
-  const Vec<T> d = load(band.position, band.plane, b) - load(band.position, band.plane, a);
+  const Vec<T> d = load(task.position, task.plane, b) - load(task.position, task.plane, a);
   const T inverseLength = T(1) / squareRoot(dot(d, d) + kTiny<T>);
   T pull = law.ks - law.ksTimesRest * inverseLength;
   if constexpr (damping == DampingTerm::None) {
     return (exists * pull) * d;
   } else {
-    const Vec<T> dv = load(band.velocity, band.plane, b) - load(band.velocity, band.plane, a);
+    const Vec<T> dv = load(task.velocity, task.plane, b) - load(task.velocity, task.plane, a);
     if constexpr (damping == DampingTerm::Relative) {
       return (exists * pull) * d + (exists * law.kd) * dv;
     } else {
@@ -72,134 +74,121 @@ TYG_INLINE Vec<T> springForce(const RowBand<T>& band, const SpringLaw<T>& law, T
 
 constexpr std::ptrdiff_t kBlock = 128;  ///< particles whose staged forces stay in the first-level cache together
 constexpr std::ptrdiff_t kPad = 16;     ///< room for the two places to the left that a block reads
-constexpr std::ptrdiff_t kStage = kBlock + kPad;
+constexpr std::ptrdiff_t kStage = 160;  ///< from one plane of a block's staged forces to the next
 
-/// Forces that the springs of one block pass along the row.
+/// Where a row's forces are staged, as pointers to planes; all within the task's scratch memory.
 template <class T>
-struct BlockStage {
-  alignas(64) T own[3 * kStage];
-  alignas(64) T right[3 * kStage];
-  alignas(64) T right2[3 * kStage];
-
-  /// Nothing stands to the left of a row.
-  void clearLeft() {
-    for (int k = 0; k < 3; ++k) {
-      for (std::ptrdiff_t i = k * kStage + kPad - 2; i < k * kStage + kPad; ++i) right[i] = right2[i] = T(0);
-    }
-  }
-  /// The last two places become the ones to the left of the next block.
-  void carryLeft() {
-    for (int k = 0; k < 3; ++k) {
-      for (std::ptrdiff_t i = k * kStage + kPad - 2; i < k * kStage + kPad; ++i) {
-        right[i] = right[i + kBlock];
-        right2[i] = right2[i + kBlock];
-      }
-    }
-  }
-};
-
-/// Forces that a row leaves for the rows below it, as planes `stride` apart. The last places of a plane stay 0, so that
-/// reading one place to the left of a plane finds nothing.
-template <class T>
-struct Below {
-  T *now, *next, *afterNext;       ///< for this row, the next, and the one after
+struct Staged {
+  T *own, *right, *right2;         ///< of a block, planes kStage apart, by place less the block's begin
+  T *now, *next, *afterNext;       ///< for this row, the next, and the one after; planes `stride` apart
   T *diagonal, *diagonalNext;      ///< on the particle down to the right of each, from the last row and from this one
 };
 
 template <class T>
-Below<T> belowOf(const RowBand<T>& band, int row) {
-  const std::ptrdiff_t size = 3 * band.stride;
-  T* const ring = band.scratch;
-  T* const diagonals = band.scratch + 3 * size;
-  return {ring + row % 3 * size, ring + (row + 1) % 3 * size, ring + (row + 2) % 3 * size, diagonals + row % 2 * size,
-          diagonals + (row + 1) % 2 * size};
+TYG_INLINE Staged<T> stagedOf(const RowTask<T>& task, int row, std::ptrdiff_t begin) {
+  const std::ptrdiff_t size = 3 * task.stride;
+  T* const ring = task.scratch;
+  T* const diagonals = ring + 3 * size;  // ghosts before it stay 0: the place to the left of a row holds nothing
+  T* const block = diagonals + 2 * size + kPad - begin;
+  return {block, block + 3 * kStage, block + 6 * kStage,
+          ring + row % 3 * size, ring + (row + 1) % 3 * size, ring + (row + 2) % 3 * size,
+          diagonals + row % 2 * size, diagonals + (row + 1) % 2 * size};
 }
 
-/// First loop: the six springs of each particle of a block.
+/// The six springs of each particle of a block.
 template <class T, int families, DampingTerm damping>
-TYG_INLINE void stageSprings(const RowBand<T>& band, const Below<T>& below, BlockStage<T>& stage, int row,
-                             std::ptrdiff_t begin, std::ptrdiff_t end) {
-  const std::ptrdiff_t s = band.stride;
+void stageSprings(const RowTask<T>& given, int row, std::ptrdiff_t begin, std::ptrdiff_t end) {
+  const RowTask<T> task = given;  // on the stack, where no store can alias it
+  const Staged<T> to = stagedOf(task, row, begin);
+  const std::ptrdiff_t s = task.stride;
   const std::ptrdiff_t start = row * s;
-  const SpringLaw<T> structural = band.structural, shear = band.shear, bend = band.bend;
-  const T hasDown = T(row + 1 < band.rows), hasDown2 = T(row + 2 < band.rows);
-  const T *hasRight = band.hasRight, *hasRight2 = band.hasRight2;
-  T *own = stage.own + kPad - begin, *right = stage.right + kPad - begin, *right2 = stage.right2 + kPad - begin;
+  const SpringLaw<T> structural = task.structural, shear = task.shear, bend = task.bend;
+  const T hasDown = T(row + 1 < task.rows), hasDown2 = T(row + 2 < task.rows);
+  const T *hasRight = task.hasRight, *hasRight2 = task.hasRight2;
   TYG_INDEPENDENT
   for (std::ptrdiff_t i = begin; i < end; ++i) {
     const std::ptrdiff_t a = start + i;
-    Vec<T> f = load(below.now, s, i), onRight{0, 0, 0}, onNext{0, 0, 0};
-    if constexpr ((families & kBend) != 0) onNext = load(below.next, s, i);
+    Vec<T> f = load(to.now, s, i), onRight{0, 0, 0}, onNext{0, 0, 0};
+    if constexpr ((families & kBend) != 0) onNext = load(to.next, s, i);
     if constexpr ((families & kStructural) != 0) {
-      const Vec<T> across = springForce<damping>(band, structural, hasRight[i], a, a + 1);
-      const Vec<T> down = springForce<damping>(band, structural, hasDown, a, a + s);
+      const Vec<T> across = springForce<damping>(task, structural, hasRight[i], a, a + 1);
+      const Vec<T> down = springForce<damping>(task, structural, hasDown, a, a + s);
       f = (f + across) + down;
       onRight = onRight - across;
       onNext = onNext - down;
     }
     if constexpr ((families & kShear) != 0) {
       const T exists = hasDown * hasRight[i];
-      const Vec<T> downRight = springForce<damping>(band, shear, exists, a, a + s + 1);
-      const Vec<T> downLeft = springForce<damping>(band, shear, exists, a + 1, a + s);
+      const Vec<T> downRight = springForce<damping>(task, shear, exists, a, a + s + 1);
+      const Vec<T> downLeft = springForce<damping>(task, shear, exists, a + 1, a + s);
       f = f + downRight;
       onRight = onRight + downLeft;
       onNext = onNext - downLeft;
-      store(below.diagonalNext, s, i, downRight);
+      store(to.diagonalNext, s, i, downRight);
     }
     if constexpr ((families & kBend) != 0) {
-      const Vec<T> across = springForce<damping>(band, bend, hasRight2[i], a, a + 2);
-      const Vec<T> down = springForce<damping>(band, bend, hasDown2, a, a + 2 * s);
+      const Vec<T> across = springForce<damping>(task, bend, hasRight2[i], a, a + 2);
+      const Vec<T> down = springForce<damping>(task, bend, hasDown2, a, a + 2 * s);
       f = (f + across) + down;
-      store(right2, kStage, i, across);
-      store(below.afterNext, s, i, Vec<T>{0, 0, 0} - down);
+      store(to.right2, kStage, i, across);
+      store(to.afterNext, s, i, Vec<T>{0, 0, 0} - down);
     }
-    store(own, kStage, i, f);
-    store(right, kStage, i, onRight);
-    store(below.next, s, i, onNext);
+    store(to.own, kStage, i, f);
+    store(to.right, kStage, i, onRight);
+    store(to.next, s, i, onNext);
   }
 }
 
-/// Second loop: own forces, what the neighbours passed on, and gravity; exactly 0 at pins and ghosts.
-template <class T, int families>
-TYG_INLINE void sumForces(const RowBand<T>& band, const Below<T>& below, const BlockStage<T>& stage, int row,
-                          std::ptrdiff_t begin, std::ptrdiff_t end) {
-  const std::ptrdiff_t s = band.stride, plane = band.plane;
-  T* const force = band.force + row * s;
-  const T* const velocity = band.velocity + row * s;
-  const T* const isFree = band.isFree + row * s;
-  const T *own = stage.own + kPad - begin, *right = stage.right + kPad - begin, *right2 = stage.right2 + kPad - begin;
-  const Vec<T> weight{band.weight[0], band.weight[1], band.weight[2]};
+/// Own forces, what the neighbours passed on, gravity and drag; exactly 0 at pins and ghosts. Then the update.
+template <class T, int families, Update update, bool drag>
+void finishForces(const RowTask<T>& given, int row, std::ptrdiff_t begin, std::ptrdiff_t end) {
+  const RowTask<T> task = given;
+  const Staged<T> from = stagedOf(task, row, begin);
+  const std::ptrdiff_t s = task.stride, plane = task.plane, start = row * s;
+  const T *velocity = task.velocity + start, *isFree = task.isFree + start;
+  constexpr bool kStores = update == Update::Store, kPredicts = update == Update::Leapfrog;
+  T* const force = kStores ? task.force + start : nullptr;
+  T* const x = kStores ? nullptr : task.moving + start;
+  T* const v = kStores ? nullptr : task.kicked + start;
+  T* const seen = kPredicts ? task.seen + start : nullptr;
+  const Vec<T> weight{task.weight[0], task.weight[1], task.weight[2]};
+  const T step = task.step, kick = task.kick;
   TYG_INDEPENDENT
   for (std::ptrdiff_t i = begin; i < end; ++i) {
-    Vec<T> f = load(own, kStage, i);
-    if constexpr ((families & (kStructural | kShear)) != 0) f = f + load(right, kStage, i - 1);
-    if constexpr ((families & kShear) != 0) f = f - load(below.diagonal, s, i - 1);
-    if constexpr ((families & kBend) != 0) f = f - load(right2, kStage, i - 2);
-    store(force, plane, i, isFree[i] * (f + weight));
-  }
-  if (band.drag == T(0)) return;
-  const T drag = band.drag;
-  TYG_INDEPENDENT
-  for (std::ptrdiff_t i = begin; i < end; ++i) {
-    store(force, plane, i, load(force, plane, i) - (isFree[i] * drag) * load(velocity, plane, i));
+    Vec<T> f = load(from.own, kStage, i);
+    if constexpr ((families & (kStructural | kShear)) != 0) f = f + load(from.right, kStage, i - 1);
+    if constexpr ((families & kShear) != 0) f = f - load(from.diagonal, s, i - 1);
+    if constexpr ((families & kBend) != 0) f = f - load(from.right2, kStage, i - 2);
+    f = isFree[i] * (f + weight);
+    if constexpr (drag) f = f - (isFree[i] * task.drag) * load(velocity, plane, i);
+    if constexpr (kStores) {
+      store(force, plane, i, f);
+    } else {
+      Vec<T> w = load(v, plane, i) + kick * f;
+      if constexpr (kPredicts) {
+        w = w + kick * f;
+        store(seen, plane, i, w + kick * f);
+      }
+      store(v, plane, i, w);
+      store(x, plane, i, load(x, plane, i) + step * w);
+    }
   }
 }
 
-/// Forces on rows [first, last). The two rows above are computed again rather than waited for.
-template <class T, int families, DampingTerm damping>
-void forcesOfBand(const RowBand<T>& given) {
-  const RowBand<T> band = given;  // on the stack, where no store can alias it
-  BlockStage<T> stage;
-  for (std::ptrdiff_t i = 0; i < 15 * band.stride; ++i) band.scratch[i] = T(0);
-  for (int row = band.first > 2 ? band.first - 2 : 0; row < band.last; ++row) {
-    const Below<T> below = belowOf(band, row);
-    stage.clearLeft();
-    for (std::ptrdiff_t begin = 0; begin < band.width; begin += kBlock) {
-      const std::ptrdiff_t end = begin + kBlock < band.width ? begin + kBlock : band.width;
-      stageSprings<T, families, damping>(band, below, stage, row, begin, end);
-      if (row >= band.first) sumForces<T, families>(band, below, stage, row, begin, end);
-      stage.carryLeft();
+/// One row in blocks. A block's last two places become the ones to the left of the next block.
+template <class T>
+void stageAndFinishRow(const RowTask<T>& task, int row, bool finish) {
+  for (std::ptrdiff_t begin = 0; begin < task.width; begin += kBlock) {
+    const std::ptrdiff_t end = begin + kBlock < task.width ? begin + kBlock : task.width;
+    const Staged<T> block = stagedOf(task, row, 0);
+    for (int axis = 0; axis < 3; ++axis) {
+      for (std::ptrdiff_t i = axis * kStage - 2; i < axis * kStage; ++i) {
+        block.right[i] = begin == 0 ? T(0) : block.right[i + kBlock];
+        block.right2[i] = begin == 0 ? T(0) : block.right2[i + kBlock];
+      }
     }
+    task.stage(task, row, begin, end);
+    if (finish) task.finish(task, row, begin, end);
   }
 }
 

@@ -24,26 +24,46 @@ struct SpringLaw {
   T ks = 0, ksTimesRest = 0, kd = 0;  ///< N/m, N, N s/m
 };
 
-/// A band of rows to work on. Arrays are planes x, y, z, `plane` numbers apart, rows `stride` apart.
+/// What becomes of the force on a particle once it is known.
+enum class Update {
+  Store,         ///< force = F
+  KickAndDrift,  ///< v += kick F; x += step v                                              (symplectic Euler)
+  Leapfrog,      ///< v += kick F; v += kick F; x += step v; seen = v + kick F  (half kicks; v at half steps)
+};
+
 template <class T>
-struct RowBand {
-  int width = 0;                   ///< columns rounded up to whole vectors of this precision
-  int rows = 0;                    ///< of the sheet
-  int first = 0, last = 0;         ///< rows [first, last) are computed
+struct RowTask;
+
+/// Loops over places [begin, end) of one row.
+template <class T>
+using RowLoop = void (*)(const RowTask<T>& task, int row, std::ptrdiff_t begin, std::ptrdiff_t end);
+
+/// A sheet to work on row by row. Arrays are planes x, y, z, `plane` numbers apart, rows `stride` apart.
+template <class T>
+struct RowTask {
+  int width = 0;  ///< columns rounded up to whole vectors of this precision
+  int rows = 0;   ///< of the sheet
   std::ptrdiff_t stride = 0, plane = 0;
   const T* position = nullptr;
-  const T* velocity = nullptr;
-  T* force = nullptr;
+  const T* velocity = nullptr;     ///< the one that damping and drag see
   const T* hasRight = nullptr;     ///< per column: 1 where column + 1 exists, else 0
   const T* hasRight2 = nullptr;    ///< per column: 1 where column + 2 exists, else 0
   const T* isFree = nullptr;       ///< per particle: 0 where pinned or a ghost, else 1
-  T* scratch = nullptr;            ///< rowScratchSize numbers
   SpringLaw<T> structural, shear, bend;
   T weight[3] = {};                ///< gravity on one particle, N
   T drag = 0;                      ///< N s/m
+
+  T* force = nullptr;              ///< Store: where to
+  T* moving = nullptr;             ///< other updates: the positions again, to be moved in place
+  T* kicked = nullptr;             ///< other updates: the velocities to be kicked in place
+  T* seen = nullptr;               ///< Leapfrog: the velocities again that damping and drag see
+  T step = 0, kick = 0;            ///< s; s/kg
+
+  T* scratch = nullptr;            ///< rowScratchSize numbers, all 0 before the first row
+  RowLoop<T> stage = nullptr, finish = nullptr;  ///< the loops that this scene and update need
 };
-/// Numbers of scratch memory that one thread needs.
-inline std::size_t rowScratchSize(std::ptrdiff_t stride) { return static_cast<std::size_t>(15 * stride); }
+/// Numbers of scratch memory that a pass over the rows needs.
+constexpr std::size_t rowScratchSize(std::ptrdiff_t stride) { return static_cast<std::size_t>(15 * stride + 9 * 160); }
 
 /// What one row contributes to the energies, summed over its particles and the springs they own.
 struct RowEnergy {
@@ -70,7 +90,10 @@ struct EnergyRow {
 
 template <class T>
 struct RowKernels {
-  void (*forces[8][3])(const RowBand<T>&);  ///< by families and damping term
+  RowLoop<T> stage[8][3];                 ///< by families and damping term
+  RowLoop<T> finish[8][3][2];             ///< by families, update, and whether there is drag
+  /// One row: stages its springs, and finishes it unless it only feeds the rows below.
+  void (*row)(const RowTask<T>& task, int row, bool finish);
   RowEnergy (*energy)(const EnergyRow<T>&);
   RowEnergy (*power)(const EnergyRow<T>&);  ///< fills `power` alone
 };

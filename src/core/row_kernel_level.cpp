@@ -9,11 +9,20 @@
 namespace tyg {
 namespace {
 
+template <class T, int families, Update update>
+constexpr void fillUpdate(RowKernels<T>& kernels) {
+  kernels.finish[families][int(update)][0] = finishForces<T, families, update, false>;
+  kernels.finish[families][int(update)][1] = finishForces<T, families, update, true>;
+}
+
 template <class T, int families>
 constexpr void fill(RowKernels<T>& kernels) {
-  kernels.forces[families][int(DampingTerm::None)] = forcesOfBand<T, families, DampingTerm::None>;
-  kernels.forces[families][int(DampingTerm::Relative)] = forcesOfBand<T, families, DampingTerm::Relative>;
-  kernels.forces[families][int(DampingTerm::Axial)] = forcesOfBand<T, families, DampingTerm::Axial>;
+  kernels.stage[families][int(DampingTerm::None)] = stageSprings<T, families, DampingTerm::None>;
+  kernels.stage[families][int(DampingTerm::Relative)] = stageSprings<T, families, DampingTerm::Relative>;
+  kernels.stage[families][int(DampingTerm::Axial)] = stageSprings<T, families, DampingTerm::Axial>;
+  fillUpdate<T, families, Update::Store>(kernels);
+  fillUpdate<T, families, Update::KickAndDrift>(kernels);
+  fillUpdate<T, families, Update::Leapfrog>(kernels);
 }
 
 template <class T>
@@ -21,6 +30,7 @@ constexpr RowKernels<T> allKernels() {
   RowKernels<T> kernels{};
   fill<T, 0>(kernels), fill<T, 1>(kernels), fill<T, 2>(kernels), fill<T, 3>(kernels);
   fill<T, 4>(kernels), fill<T, 5>(kernels), fill<T, 6>(kernels), fill<T, 7>(kernels);
+  kernels.row = stageAndFinishRow<T>;
   kernels.energy = energyOfRow<T>;
   kernels.power = powerOfRow<T>;
   return kernels;

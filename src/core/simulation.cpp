@@ -165,18 +165,26 @@ struct Simulation::Body {
 
   [[nodiscard]] bool standing() const { return stopAsked || (run().status != Status::Ok && !settings.keepGoing); }
 
-  void step(double h, double timeAfter) {
-    motion->step(h);
-    count(h, timeAfter);
-  }
-
-  void count(double h, double timeAfter) {
+  /// Accounts for `steps` steps of h that ended at `timeAfter`; they must not pass over a look.
+  void count(double h, int steps, double timeAfter) {
     Run& r = run();
     r.time = timeAfter;
     r.largestStep = std::max(r.largestStep, h);
-    if (++r.steps % kStepsBetweenLooks == 0) {
+    r.steps += steps;
+    if (r.steps % kStepsBetweenLooks == 0) {
       look();
       if (observer && !observer()) stopAsked = true;
+    }
+  }
+
+  /// `steps` steps of h from now on, the last of which ends at `end`.
+  void walk(std::int64_t steps, double h, double end) {
+    const double from = run().time;
+    for (std::int64_t done = 0; done < steps && !standing();) {
+      const auto some = std::min(steps - done, kStepsBetweenLooks - run().steps % kStepsBetweenLooks);
+      motion->steps(h, int(some));
+      done += some;
+      count(h, int(some), done == steps ? end : from + double(done) * h);
     }
   }
 
@@ -236,14 +244,13 @@ struct Simulation::Body {
     if (stepsFreely()) {
       while (!standing() && r.time < stop) {
         const double most = stop - r.time, taken = motion->stepWithin(most, scene.tolerance);
-        count(taken, taken == most ? stop : r.time + taken);
+        count(taken, 1, taken == most ? stop : r.time + taken);
       }
       return;
     }
-    const double from = r.time, span = stop - from;
-    const auto count = std::max<std::int64_t>(1, std::int64_t(std::ceil(span / r.dt - kSameTime)));
-    const double h = span / double(count);
-    for (std::int64_t k = 1; k <= count && !standing(); ++k) step(h, k == count ? stop : from + double(k) * h);
+    const double span = stop - r.time;
+    const auto steps = std::max<std::int64_t>(1, std::int64_t(std::ceil(span / r.dt - kSameTime)));
+    walk(steps, span / double(steps), stop);
   }
 
   void advance(double end) {
@@ -256,7 +263,7 @@ struct Simulation::Body {
     const double end = r.tickBaseTime + double(r.ticks + 1 - r.tickBase) * r.dt;
     if (nextStop(end) == end && !stepsFreely()) {
       switchPushes();
-      step(r.dt, end);
+      walk(1, r.dt, end);
     } else {
       advance(end);
     }

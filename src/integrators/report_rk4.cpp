@@ -16,6 +16,10 @@ class ReportRk4 final : public Integrator<T> {
   void step(Forces<T>& forces, State<T>& state, double h) override {
     kickAndDrift(forces, state, force_, reportRk4Step(h));
   }
+  void steps(Forces<T>& forces, State<T>& state, double h, int count) override {
+    if (!forces.canAdvance()) return Integrator<T>::steps(forces, state, h, count);
+    forces.kickAndDrift(state, reportRk4Step(h), count);
+  }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<ReportRk4>(*this); }
 
  private:

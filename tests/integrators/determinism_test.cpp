@@ -20,10 +20,10 @@ std::string hexadecimal(std::uint64_t number) {
   return text.str();
 }
 
-std::string hashAfter(Scene scene, const Method& method, Precision precision, int threads) {
+std::string hashAfter(Scene scene, const Method& method, Precision precision, int threads, bool ledger = false) {
   scene.precision = precision;
   for (Push& push : scene.pushes) push.at = 0.1;
-  Simulation simulation(scene, method, {.threads = threads});
+  Simulation simulation(scene, method, {.threads = threads, .ledger = ledger});
   simulation.advanceTo(kTime);
   // What a NaN looks like is up to the machine.
   return simulation.status() == Status::NotFinite ? "not-finite" : hexadecimal(simulation.hash());
@@ -45,8 +45,8 @@ TEST(Determinism, EverySceneAndMethodGivesItsGoldenHashAtThisMachinesBestLevel) 
     const Scene scene = loadScene(std::string(builtin.name));
     for (const Method& method : methods()) {
       for (const Precision precision : {Precision::Float, Precision::Double}) {
-        const std::string key = scene.name + " " + std::string(method.name) +
-                                (precision == Precision::Float ? " float" : " double");
+        const std::string key =
+            scene.name + " " + std::string(method.name) + (precision == Precision::Float ? " float" : " double");
         const std::string hash = hashAfter(scene, method, precision, 1);
         const auto found = golden.find(key);
         EXPECT_TRUE(found != golden.end() && found->second == hash) << "golden line: " << key << " " << hash;
@@ -74,6 +74,21 @@ TEST(Determinism, AnyNumberOfThreadsGivesTheSameBits) {
     const std::string expected = hashAfter(scene, method, Precision::Double, 1);
     for (const int threads : {2, 3, 7}) {
       EXPECT_EQ(hashAfter(scene, method, Precision::Double, threads), expected) << method.name << " " << threads;
+    }
+  }
+}
+
+// With a ledger every evaluation is seen by itself; without one, methods that can fuse force, kick and drift.
+TEST(Determinism, FusedPassesGiveTheBitsOfSingleSteps) {
+  for (const int columns : {2, 20, 150}) {
+    Scene scene = withSheet(loadScene("poke"), columns, 17);
+    scene.drag = 0.01;
+    for (const Method& method : methods()) {
+      for (const int threads : {1, 2, 3}) {
+        EXPECT_EQ(hashAfter(scene, method, Precision::Float, threads),
+                  hashAfter(scene, method, Precision::Float, 1, true))
+            << method.name << " " << columns << " " << threads;
+      }
     }
   }
 }
