@@ -13,13 +13,7 @@
 #include "app/hud.h"
 #include "app/interrupt.h"
 #include "app/option_checks.h"
-#if __has_include("app/render.h")
 #include "app/render.h"
-#else
-namespace tyg {
-static int renderInstead(const Scene&) { return 0; }
-}  // namespace tyg
-#endif
 #include "app/view_log.h"
 #include "app/viewer.h"
 #include "app/window.h"
