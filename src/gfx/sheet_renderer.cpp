@@ -278,7 +278,7 @@ void SheetRenderer::Body::drawDiscs(const Frame& frame, const DrawOptions& optio
     glDrawArrays(GL_POINTS, 0, count());
   }
   if (options.pins && !sheet.pins.empty()) {
-    setMarker(frame, frame.palette.pin, 4 * static_cast<float>(sheet.spacing));
+    setMarker(frame, frame.palette.pin, 0);
     glDrawElements(GL_POINTS, static_cast<GLsizei>(sheet.pins.size()), GL_UNSIGNED_INT, nullptr);
   }
 }

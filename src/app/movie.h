@@ -1,0 +1,36 @@
+// Movies through ffmpeg, where it is installed: raw frames go down a pipe, one MP4 or GIF comes out, whole or not at
+// all. Must not know: what the frames show.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "gfx/picture.h"
+
+namespace tyg {
+
+/// Is there an ffmpeg on the PATH?
+bool haveFfmpeg();
+
+/// One movie being made. Destroyed before finish() it leaves no file.
+class Movie {
+ public:
+  /// `path` ends in .mp4 (H.264; both sizes must be even) or .gif; `fps` frames per second, > 0. Throws InputError
+  /// where the file cannot be written or ffmpeg cannot be started.
+  Movie(const std::filesystem::path& path, int width, int height, double fps);
+  ~Movie();
+  Movie(const Movie&) = delete;
+  Movie& operator=(const Movie&) = delete;
+
+  /// The next frame; its size is the movie's. Throws InputError with what ffmpeg said where it has given up.
+  void add(const Picture& picture);
+  /// Waits for ffmpeg and puts the file in its place. Throws InputError with what ffmpeg said.
+  void finish();
+
+ private:
+  struct Body;
+  std::unique_ptr<Body> body_;
+};
+
+}  // namespace tyg

@@ -1,0 +1,37 @@
+// Pictures and movies of a scene without a display.
+// Must not know: options of the command line, windows.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "gfx/sheet_renderer.h"
+#include "tyg/scene.h"
+
+namespace tyg {
+
+/// What to draw, and where to put it.
+struct RenderRequest {
+  std::vector<double> times;   ///< s, >= 0, ascending, at least one
+  double fps = 30;             ///< of a movie, > 0
+  glm::ivec2 size{1280, 720};  ///< pixels; a movie's are rounded up to even numbers
+  std::filesystem::path out;   ///< one time: FILE.png; several: FILE.mp4, FILE.gif, else a folder for PNGs
+  DrawOptions draw;
+  int threads = 0;  ///< as Settings::threads
+};
+
+/// The moment that shows most of a scene in one picture, s: the end of its first push, else some way into the run.
+double tellingMoment(const Scene& scene);
+/// Frames of `fps` per second from `from` to `to`, both included (s).
+std::vector<double> frameTimes(double from, double to, double fps);
+/// A name for results in the current folder: the scene's, without folder and .toml.
+std::string fileStem(const Scene& scene);
+
+/// Checks the output, simulates, draws, writes, and names the files on standard output. One view that holds the whole
+/// motion. Returns the program's exit code; throws InputError where the output cannot be written or nothing can draw.
+int render(const Scene& scene, const RenderRequest& request);
+
+/// What `tyg view` does without a display: a picture, and a movie where ffmpeg is there, in the current folder.
+int renderInstead(const Scene& scene);
+
+}  // namespace tyg
