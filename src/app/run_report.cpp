@@ -72,8 +72,7 @@ std::vector<double> pushEdges(const Scene& scene) {
     }
   }
   std::ranges::sort(edges);
-  const auto [first, last] = std::ranges::unique(edges);
-  edges.erase(first, last);
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
 }
 
