@@ -1,4 +1,4 @@
-// Time: stop times and ticks, pushes that begin and end, the alarm, the log. What moves is in motion.cpp.
+// Time: stop times and ticks, pushes that begin and end, the alarm, the log. What moves is in moving_sheet.cpp.
 #include "tyg/simulation.h"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/alarm.h"
-#include "core/motion.h"
+#include "core/moving_sheet.h"
 #include "tyg/workers.h"
 
 namespace tyg {
@@ -110,7 +110,7 @@ struct Simulation::Body {
   Sheet sheet;
   Settings settings;
   Workers workers;
-  std::unique_ptr<Motion> motion;
+  std::unique_ptr<MovingSheet> moving;
   std::optional<Run> runStorage;
   std::span<const Method> replayMethods;
   std::function<bool()> observer;
@@ -121,8 +121,8 @@ struct Simulation::Body {
         sheet(makeSheet(scene)),
         settings(asked),
         workers(asked.threads > 0 ? asked.threads : defaultThreads(sheet.count())),
-        motion(makeMotion(scene, sheet, method, workers, asked.ledger)) {
-    const StoredEnergy start = motion->energy();
+        moving(makeMovingSheet(scene, sheet, method, workers, asked.ledger)) {
+    const StoredEnergy start = moving->energy();
     runStorage.emplace(makeAlarm(scene, sheet, start));
     Run& r = run();
     r.method = &method;
@@ -147,14 +147,14 @@ struct Simulation::Body {
   [[nodiscard]] double work() const {
     double sum = run().finishedWork;
     for (const TimedPush& push : run().pushes) {
-      if (push.acting) sum += dot(push.force, motion->position(push.particle) - push.from);
+      if (push.acting) sum += dot(push.force, moving->position(push.particle) - push.from);
     }
     return sum;
   }
 
   StoredEnergy look() {
     Run& r = run();
-    StoredEnergy energy = motion->energy();
+    StoredEnergy energy = moving->energy();
     energy.gravitational -= r.startHeight;
     r.maxStretch = std::max(r.maxStretch, energy.maxStretch);
     const Status now = r.alarm.look(energy.kinetic, energy.elastic, energy.gravitational, work());
@@ -182,7 +182,7 @@ struct Simulation::Body {
     const double from = run().time;
     for (std::int64_t done = 0; done < steps && !standing();) {
       const auto some = std::min(steps - done, kStepsBetweenLooks - run().steps % kStepsBetweenLooks);
-      motion->steps(h, int(some));
+      moving->steps(h, int(some));
       done += some;
       count(h, int(some), done == steps ? end : from + double(done) * h);
     }
@@ -202,21 +202,21 @@ struct Simulation::Body {
     for (TimedPush& push : r.pushes) {
       if (shouldAct(push) == push.acting) continue;
       jump = true;
-      const Vec3 here = motion->position(push.particle);
+      const Vec3 here = moving->position(push.particle);
       if (push.acting) r.finishedWork += dot(push.force, here - push.from);
       push.from = here;
       push.acting = !push.acting;
     }
     if (!jump) return;
     applyPushes();
-    motion->reset();
+    moving->reset();
     std::erase_if(r.pushes, [&](const TimedPush& push) { return push.byHand && push.endTick <= r.ticks; });
   }
 
   void applyPushes() const {
-    motion->clearPushes();
+    moving->clearPushes();
     for (const TimedPush& push : run().pushes) {
-      if (push.acting) motion->addPush(push.particle, push.force);
+      if (push.acting) moving->addPush(push.particle, push.force);
     }
   }
 
@@ -243,7 +243,7 @@ struct Simulation::Body {
     switchPushes();
     if (stepsFreely()) {
       while (!standing() && r.time < stop) {
-        const double most = stop - r.time, taken = motion->stepWithin(most, scene.tolerance);
+        const double most = stop - r.time, taken = moving->stepWithin(most, scene.tolerance);
         count(taken, 1, taken == most ? stop : r.time + taken);
       }
       return;
@@ -287,7 +287,7 @@ struct Simulation::Body {
   }
 
   void useMethod(const Method& method) {
-    motion->useMethod(method);  // first: it may refuse the scene
+    moving->useMethod(method);  // first: it may refuse the scene
     run().method = &method;
     note({.kind = LogEvent::Kind::Method, .method = std::string(method.name)});
   }
@@ -371,16 +371,16 @@ std::int64_t Simulation::ticks() const { return body_->run().ticks; }
 double Simulation::dt() const { return body_->run().dt; }
 double Simulation::largestStep() const { return body_->run().largestStep; }
 std::int64_t Simulation::steps() const { return body_->run().steps; }
-std::int64_t Simulation::forceEvaluations() const { return body_->motion->evaluations(); }
+std::int64_t Simulation::forceEvaluations() const { return body_->moving->evaluations(); }
 int Simulation::threads() const { return body_->workers.threads(); }
 const Scene& Simulation::scene() const { return body_->scene; }
 const Sheet& Simulation::sheet() const { return body_->sheet; }
 const Method& Simulation::method() const { return *body_->run().method; }
 const PushLog& Simulation::log() const { return body_->run().log; }
-Vec3 Simulation::position(int particle) const { return body_->motion->position(particle); }
-Vec3 Simulation::velocity(int particle) const { return body_->motion->velocity(particle); }
-void Simulation::copyPositions(std::span<float> xyz) const { body_->motion->copyPositions(xyz); }
-std::uint64_t Simulation::hash() const { return body_->motion->hash(); }
+Vec3 Simulation::position(int particle) const { return body_->moving->position(particle); }
+Vec3 Simulation::velocity(int particle) const { return body_->moving->velocity(particle); }
+void Simulation::copyPositions(std::span<float> xyz) const { body_->moving->copyPositions(xyz); }
+std::uint64_t Simulation::hash() const { return body_->moving->hash(); }
 Status Simulation::status() const { return body_->run().status; }
 double Simulation::alarmTime() const { return body_->run().alarmTime; }
 
@@ -392,7 +392,7 @@ Ledger Simulation::ledger() {
   ledger.elastic = energy.elastic;
   ledger.gravitational = energy.gravitational;
   ledger.work = body_->work();
-  ledger.dissipated = body_->motion->dissipated();
+  ledger.dissipated = body_->moving->dissipated();
   ledger.scale = run.alarm.scale();
   ledger.maxStretch = run.maxStretch;
   if (body_->settings.ledger) {
@@ -410,21 +410,21 @@ Status Simulation::check() {
 namespace {
 struct SavedBody {
   Run run;
-  std::unique_ptr<Motion::Moment> moment;
+  std::unique_ptr<MovingSheet::Moment> moment;
 };
 }  // namespace
 
 Snapshot Simulation::save() const {
   Snapshot snapshot;
   snapshot.time_ = time();
-  snapshot.body_ = std::make_shared<const SavedBody>(SavedBody{body_->run(), body_->motion->save()});
+  snapshot.body_ = std::make_shared<const SavedBody>(SavedBody{body_->run(), body_->moving->save()});
   return snapshot;
 }
 
 void Simulation::restore(const Snapshot& snapshot) {
   const auto& saved = *static_cast<const SavedBody*>(snapshot.body_.get());
   body_->run() = saved.run;
-  body_->motion->restore(*saved.moment);
+  body_->moving->restore(*saved.moment);
   body_->applyPushes();
 }
 

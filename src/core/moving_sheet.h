@@ -10,14 +10,14 @@
 
 namespace tyg {
 
-class Motion {
+class MovingSheet {
  public:
   /// Everything that moves, copied; the precision is known to its maker.
   struct Moment {
     virtual ~Moment() = default;
   };
 
-  virtual ~Motion() = default;
+  virtual ~MovingSheet() = default;
   virtual void useMethod(const Method& method) = 0;
   /// `count` steps of h seconds, 1 to 64.
   virtual void steps(double h, int count) = 0;
@@ -40,8 +40,8 @@ class Motion {
   virtual void restore(const Moment& moment) = 0;
 };
 
-/// The motion of a scene from its displaced start shape. The references must outlive it.
-std::unique_ptr<Motion> makeMotion(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers,
+/// A scene from its displaced start shape. The references must outlive it.
+std::unique_ptr<MovingSheet> makeMovingSheet(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers,
                                    bool trackDissipation);
 
 }  // namespace tyg

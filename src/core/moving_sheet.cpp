@@ -1,5 +1,5 @@
-// See motion.h.
-#include "core/motion.h"
+// See moving_sheet.h.
+#include "core/moving_sheet.h"
 
 #include "tyg/workers.h"
 
@@ -7,9 +7,9 @@ namespace tyg {
 namespace {
 
 template <class T>
-class MotionOf final : public Motion {
+class MovingSheetOf final : public MovingSheet {
  public:
-  MotionOf(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers, bool trackDissipation)
+  MovingSheetOf(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers, bool trackDissipation)
       : scene_(scene),
         sheet_(sheet),
         state_(startState<T>(sheet)),
@@ -80,12 +80,12 @@ class MotionOf final : public Motion {
 
 }  // namespace
 
-std::unique_ptr<Motion> makeMotion(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers,
+std::unique_ptr<MovingSheet> makeMovingSheet(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers,
                                    bool trackDissipation) {
   if (scene.precision == Precision::Float) {
-    return std::make_unique<MotionOf<float>>(scene, sheet, method, workers, trackDissipation);
+    return std::make_unique<MovingSheetOf<float>>(scene, sheet, method, workers, trackDissipation);
   }
-  return std::make_unique<MotionOf<double>>(scene, sheet, method, workers, trackDissipation);
+  return std::make_unique<MovingSheetOf<double>>(scene, sheet, method, workers, trackDissipation);
 }
 
 }  // namespace tyg
