@@ -16,8 +16,9 @@ constexpr float kSpeedPerDistance = 0.9F;  // distances to the cloth flown in a 
 constexpr float kLongestMove = 0.1F;       // s: a stalled frame must not throw the eye across the scene
 constexpr float kNotchShare = 0.88F;       // of the distance that is left after one wheel notch
 constexpr float kMostNotches = 20;
-constexpr float kReach = 500;     // cloth sizes that the eye may fly away
-constexpr float kMargin = 1.12F;  // how much larger than the cloth a framed view is
+constexpr float kReach = 500;       // cloth sizes that the eye may fly away
+constexpr float kFarthest = 1e12F;  // m: squares of larger numbers come near overflow
+constexpr float kMargin = 1.12F;    // how much larger than the cloth a framed view is
 
 bool finite(float a, float b) { return std::isfinite(a) && std::isfinite(b); }
 
@@ -40,7 +41,8 @@ struct Reach {
 
 void Camera::watch(const Box& cloth) {
   const glm::vec3 low = finiteOr(cloth.low, cloth_.low), high = finiteOr(cloth.high, cloth_.high);
-  cloth_ = {low, high};
+  const glm::vec3 most(kFarthest);
+  cloth_ = {glm::clamp(glm::min(low, high), -most, most), glm::clamp(glm::max(low, high), -most, most)};
   keepInReach();
 }
 
@@ -67,7 +69,23 @@ void Camera::frame(std::span<const glm::vec3> points, float aspect) {
   // A cloth without extent still gets some room.
   const float back = std::min(x.eyeDepth(slopeX), y.eyeDepth(slopeY)) - 0.05F * cloth_.size();
   eye_ = finiteOr(x.eyeAcross() * right() + y.eyeAcross() * up() + back * forward(), eye_);
+  centre(points);
   keepInReach();
+}
+
+void Camera::centre(std::span<const glm::vec3> points) {
+  // The axis that did not decide the distance has room to spare; a few rounds share it out evenly on both sides.
+  for (int round = 0; round < 6; ++round) {
+    glm::vec2 low(1e9F), high(-1e9F);
+    for (const glm::vec3& p : points) {
+      const glm::vec3 away = p - eye_;
+      const glm::vec2 seen = glm::vec2(glm::dot(away, right()), glm::dot(away, up())) /
+                             std::max(glm::dot(away, forward()), 0.01F * cloth_.size());
+      low = glm::min(low, seen), high = glm::max(high, seen);
+    }
+    const glm::vec2 shift = distance() * 0.5F * (low + high);
+    eye_ = finiteOr(eye_ + shift.x * right() + shift.y * up(), eye_);
+  }
 }
 
 void Camera::lookAlong(float yaw, float pitch) {

@@ -58,10 +58,11 @@ class Camera {
   [[nodiscard]] float farthest() const;
 
  private:
+  void centre(std::span<const glm::vec3> points);
   void keepInReach();
 
   glm::vec3 eye_{1.6F, 0.8F, 2.4F};
-  float yaw_ = -0.55F, pitch_ = -0.28F;
+  float yaw_ = -0.55F, pitch_ = -0.36F;
   float fieldOfView_ = 0.7854F;
   Box cloth_;
 };

@@ -45,7 +45,7 @@ std::array<glm::vec3, kArrowPoints> arrowPoints(const glm::vec3& foot, const glm
   for (int i = 0; i < kArrowRim; ++i) {
     const float angle = 6.2831853F * static_cast<float>(i) / kArrowRim;
     points[static_cast<std::size_t>(2 + i)] =
-        foot + 0.7F * length * along + 0.12F * length * (std::cos(angle) * side + std::sin(angle) * other);
+        foot + 0.75F * length * along + 0.075F * length * (std::cos(angle) * side + std::sin(angle) * other);
   }
   return points;
 }

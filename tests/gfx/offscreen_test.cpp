@@ -1,0 +1,155 @@
+// Pictures drawn off-screen by every kind of context that this build has, compared with stored ones and each other.
+// TYG_STORE_PICTURES=1 in the environment writes the stored pictures anew (look at them before you keep them).
+#include "gfx/offscreen.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <vector>
+
+#include "gfx/sheet_renderer.h"
+
+namespace tyg {
+namespace {
+
+constexpr int kWidth = 320, kHeight = 200;
+// Drivers differ in how they round at edges: single pixels may differ by much, the picture as a whole may not.
+constexpr double kMeanDifference = 1.0;  // of 255, over all pixels and colours
+constexpr int kClearlyOther = 48;        // of 255
+constexpr double kShareClearlyOther = 0.01;
+
+Sheet hangingSheet() {
+  Sheet sheet;
+  sheet.columns = sheet.rows = 12;
+  sheet.spacing = 0.1;
+  sheet.pins = {0, 11};
+  return sheet;
+}
+
+/// A made-up wave, so that the picture depends on nothing but the drawing.
+std::vector<float> waveOf(const Sheet& sheet) {
+  std::vector<float> xyz;
+  for (int i = 0; i < sheet.count(); ++i) {
+    const Vec3 p = sheet.startPosition(i);
+    const double swell = -p.y * p.y * 0.3 + 0.1 * std::sin(6 * p.x) * -p.y;
+    xyz.insert(xyz.end(), {float(p.x), float(p.y), float(swell)});
+  }
+  return xyz;
+}
+
+Picture drawn(OffscreenKind kind, const DrawOptions& options, const std::optional<ShownPush>& push = std::nullopt) {
+  const auto context = makeOffscreen(kind, kWidth, kHeight);
+  const Sheet sheet = hangingSheet();
+  SheetRenderer renderer(sheet);
+  const std::vector<float> xyz = waveOf(sheet);
+  Camera camera;
+  camera.frame(boxAround(xyz), float(kWidth) / kHeight);
+  renderer.draw(xyz, camera, {kWidth, kHeight}, options, push);
+  return context->readPixels();
+}
+
+const ShownPush kPush{.particle = 66, .force = {0.5, 0, 2}};
+DrawOptions everything() {
+  DrawOptions options;
+  options.shear = options.bend = options.particles = true;
+  options.background = Background::Light;
+  return options;
+}
+
+void expectAlike(const Picture& a, const Picture& b) {
+  ASSERT_EQ(a.width, b.width);
+  ASSERT_EQ(a.height, b.height);
+  double sum = 0;
+  int other = 0;
+  for (std::size_t i = 0; i < a.rgba.size(); ++i) {
+    const int difference = std::abs(int(a.rgba[i]) - int(b.rgba[i]));
+    sum += difference;
+    other += difference > kClearlyOther ? 1 : 0;
+  }
+  EXPECT_LT(sum / double(a.rgba.size()), kMeanDifference);
+  EXPECT_LT(other / double(a.rgba.size()), kShareClearlyOther);
+}
+
+int pixelsThatDiffer(const Picture& a, const Picture& b) {
+  int count = 0;
+  for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
+    count += std::abs(a.rgba[i] - b.rgba[i]) + std::abs(a.rgba[i + 2] - b.rgba[i + 2]) > 20 ? 1 : 0;
+  }
+  return count;
+}
+
+class OffscreenPicture : public testing::TestWithParam<OffscreenKind> {};
+
+TEST_P(OffscreenPicture, LooksLikeTheStoredOnes) {
+  const std::filesystem::path folder = TYG_SOURCE_DIR "/tests/gfx";
+  for (const auto& [file, options, push] :
+       {std::tuple{"plain.png", DrawOptions{}, std::optional<ShownPush>{}}, {"everything.png", everything(), kPush}}) {
+    const Picture picture = drawn(GetParam(), options, push);
+    if (std::getenv("TYG_STORE_PICTURES") != nullptr) writePng(picture, folder / file);
+    SCOPED_TRACE(file);
+    expectAlike(picture, readPng(folder / file));
+  }
+}
+
+TEST_P(OffscreenPicture, ShowsEachThingThatIsSwitchedOn) {
+  DrawOptions nothing;
+  nothing.structural = nothing.pins = false;
+  const Picture empty = drawn(GetParam(), nothing);
+  const auto shows = [&](bool DrawOptions::*thing) {
+    DrawOptions options = nothing;
+    options.*thing = true;
+    return pixelsThatDiffer(empty, drawn(GetParam(), options));
+  };
+  EXPECT_GT(shows(&DrawOptions::structural), 2000);
+  EXPECT_GT(shows(&DrawOptions::shear), 2000);
+  EXPECT_GT(shows(&DrawOptions::bend), 1000);
+  EXPECT_GT(shows(&DrawOptions::particles), 144);
+  EXPECT_GT(shows(&DrawOptions::pins), 40);
+  EXPECT_GT(pixelsThatDiffer(empty, drawn(GetParam(), nothing, kPush)), 100);
+}
+
+TEST_P(OffscreenPicture, SurvivesPositionsThatAreNotNumbersAndAnEyeInsideTheCloth) {
+  const auto context = makeOffscreen(GetParam(), kWidth, kHeight);
+  const Sheet sheet = hangingSheet();
+  SheetRenderer renderer(sheet);
+  std::vector<float> xyz = waveOf(sheet);
+  Camera camera;
+  camera.frame(boxAround(xyz), 1.6F);
+  camera.approach(20);
+  camera.approach(20);
+  xyz[30] = std::nanf("");
+  renderer.draw(xyz, camera, {kWidth, kHeight}, everything(), kPush);
+  renderer.draw(xyz, camera, {0, 0}, everything(), ShownPush{.particle = 100000, .force = {}});
+  EXPECT_THROW(renderer.draw({}, camera, {kWidth, kHeight}, everything()), std::invalid_argument);
+  const Picture picture = context->readPixels();
+  for (std::size_t i = 3; i < picture.rgba.size(); i += 4) ASSERT_EQ(picture.rgba[i], 255);
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, OffscreenPicture, testing::ValuesIn(offscreenKinds().begin(), offscreenKinds().end()),
+                         [](const auto& kind) { return std::string(nameOf(kind.param)); });
+
+TEST(Offscreen, AllKindsDrawTheSamePicture) {
+  const Picture first = drawn(offscreenKinds().front(), everything(), kPush);
+  for (const OffscreenKind kind : offscreenKinds()) expectAlike(first, drawn(kind, everything(), kPush));
+}
+
+TEST(Offscreen, RefusesSizesThatNoPictureHas) {
+  EXPECT_THROW(makeOffscreen(0, 100), std::runtime_error);
+  EXPECT_THROW(makeOffscreen(100, 100000), std::runtime_error);
+}
+
+TEST(Picture, ComesBackFromPngAsItWas) {
+  Picture picture{3, 2, {}};
+  for (int i = 0; i < 24; ++i) picture.rgba.push_back(static_cast<std::uint8_t>(i * 10));
+  const auto path = std::filesystem::temp_directory_path() / "tyg-picture-test.png";
+  writePng(picture, path);
+  const Picture back = readPng(path);
+  std::filesystem::remove(path);
+  EXPECT_EQ(back.rgba, picture.rgba);
+  EXPECT_EQ(back.width, 3);
+}
+
+}  // namespace
+}  // namespace tyg

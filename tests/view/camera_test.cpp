@@ -1,0 +1,135 @@
+// The camera, its framing and the arrow at the window's edge, without OpenGL.
+#include "view/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace tyg {
+namespace {
+
+constexpr float kRounding = 1e-4F;  // single precision over a few products
+const Box kCloth{{-1, -2, -0.5F}, {1, 0, 0.5F}};
+const glm::vec2 kWindow{1280, 720};
+
+glm::vec3 ndc(const Camera& camera, const glm::vec3& point, float aspect) {
+  const glm::vec4 clip = camera.projection(aspect) * camera.view() * glm::vec4(point, 1);
+  return glm::vec3(clip) / clip.w;
+}
+
+TEST(Camera, FramesTheWholeClothAtEveryAspectRatio) {
+  for (const float aspect : {0.3F, 1.0F, 1.78F, 4.0F}) {
+    Camera camera;
+    camera.frame(kCloth, aspect);
+    float largest = 0;
+    for (const glm::vec3& corner : kCloth.corners()) {
+      const glm::vec3 seen = glm::abs(ndc(camera, corner, aspect));
+      EXPECT_LT(seen.z, 1);
+      largest = std::max({largest, seen.x, seen.y});
+    }
+    EXPECT_LT(largest, 0.95F);
+    EXPECT_GT(largest, 0.7F) << "the view wastes room";
+  }
+}
+
+TEST(Camera, FramingKeepsTheDirection) {
+  Camera camera;
+  camera.lookAlong(1.2F, 0.3F);
+  const glm::vec3 before = camera.forward();
+  camera.frame(kCloth, 1.5F);
+  EXPECT_EQ(camera.forward(), before);
+}
+
+TEST(Camera, FliesFasterFartherAway) {
+  Camera near, far;
+  near.frame(kCloth, 1);
+  far.frame(kCloth, 1);
+  far.approach(-10);
+  const glm::vec3 nearBefore = near.eye(), farBefore = far.eye();
+  near.move({.right = 1}, 0.05F);
+  far.move({.right = 1}, 0.05F);
+  const float ratio = glm::distance(far.eye(), farBefore) / glm::distance(near.eye(), nearBefore);
+  EXPECT_GT(ratio, 2);
+}
+
+TEST(Camera, KeysMoveAlongTheEyesAxes) {
+  Camera camera;
+  camera.frame(kCloth, 1);
+  const glm::vec3 before = camera.eye();
+  camera.move({.forward = 1}, 0.05F);
+  EXPECT_NEAR(glm::dot(glm::normalize(camera.eye() - before), camera.forward()), 1, kRounding);
+  const glm::vec3 ahead = camera.eye();
+  camera.move({.up = -1}, 0.05F);
+  EXPECT_LT(camera.eye().y, ahead.y);
+}
+
+TEST(Camera, ScrollingComesNearerButNeverThrough) {
+  Camera camera;
+  camera.frame(kCloth, 1);
+  const float before = camera.distance();
+  camera.approach(1);
+  EXPECT_LT(camera.distance(), before);
+}
+
+TEST(Camera, CannotLookStraightUp) {
+  Camera camera;
+  camera.turn(0, -1e6F);
+  EXPECT_LT(camera.pitch(), 1.5708F);
+  EXPECT_GT(glm::length(glm::cross(camera.forward(), glm::vec3(0, 1, 0))), 0.01F);
+}
+
+TEST(Camera, StaysFiniteWhateverComesIn) {
+  const float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
+  Camera camera;
+  for (const float bad : {nan, infinite, -infinite, 1e38F}) {
+    camera.turn(bad, bad);
+    camera.move({bad, bad, bad}, bad);
+    camera.approach(bad);
+    camera.watch({glm::vec3(bad), glm::vec3(bad)});
+    camera.frame({glm::vec3(-bad), glm::vec3(bad)}, bad);
+    const glm::mat4 both = camera.projection(bad) * camera.view();
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) EXPECT_TRUE(std::isfinite(both[i][j])) << bad;
+    }
+  }
+}
+
+TEST(EdgeArrow, IsAbsentWhileTheClothIsInView) {
+  Camera camera;
+  camera.frame(kCloth, kWindow.x / kWindow.y);
+  EXPECT_FALSE(edgeArrow(camera, kCloth, kWindow, 30).has_value());
+}
+
+TEST(EdgeArrow, PointsLeftWhenTheCameraLooksTooFarRight) {
+  Camera camera;
+  camera.frame(kCloth, kWindow.x / kWindow.y);
+  camera.lookAlong(camera.yaw() + 1.3F, 0);
+  const auto arrow = edgeArrow(camera, kCloth, kWindow, 30);
+  ASSERT_TRUE(arrow.has_value());
+  EXPECT_LT(arrow->direction.x, -0.7F);
+  EXPECT_NEAR(arrow->tip.x, 30, 0.5F);
+}
+
+TEST(EdgeArrow, PointsToTheShorterWayWhenTheClothIsBehindTheEye) {
+  Camera camera;
+  camera.frame(kCloth, kWindow.x / kWindow.y);
+  camera.lookAlong(camera.yaw() + 2.8F, 0);
+  const auto arrow = edgeArrow(camera, kCloth, kWindow, 30);
+  ASSERT_TRUE(arrow.has_value());
+  EXPECT_LT(arrow->direction.x, 0);
+  EXPECT_NEAR(glm::length(arrow->direction), 1, kRounding);
+  EXPECT_GE(arrow->tip.y, 29.5F);
+  EXPECT_LE(arrow->tip.y, kWindow.y - 29.5F);
+}
+
+TEST(Box, LeavesOutPositionsThatAreNotFinite) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::array<float, 9> xyz{0, 1, 2, nan, 0, 0, 3, -1, 5};
+  const Box box = boxAround(xyz);
+  EXPECT_EQ(box.low, glm::vec3(0, -1, 2));
+  EXPECT_EQ(box.high, glm::vec3(3, 1, 5));
+}
+
+}  // namespace
+}  // namespace tyg

@@ -1,0 +1,104 @@
+// Which particle a click means, without OpenGL.
+#include "view/picking.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace tyg {
+namespace {
+
+const glm::vec2 kWindow{1000, 800};
+
+Sheet sheetOf(int columns, int rows) {
+  Sheet sheet;
+  sheet.columns = columns, sheet.rows = rows, sheet.spacing = 0.1;
+  return sheet;
+}
+
+std::vector<float> startOf(const Sheet& sheet) {
+  std::vector<float> xyz;
+  for (int i = 0; i < sheet.count(); ++i) {
+    const Vec3 p = sheet.startPosition(i);
+    xyz.insert(xyz.end(), {float(p.x), float(p.y), float(p.z)});
+  }
+  return xyz;
+}
+
+Camera cameraOn(const std::vector<float>& xyz) {
+  Camera camera;
+  camera.frame(boxAround(xyz), kWindow.x / kWindow.y);
+  return camera;
+}
+
+glm::vec2 pixelOf(const Camera& camera, const std::vector<float>& xyz, int particle) {
+  const auto at = 3 * static_cast<std::size_t>(particle);
+  const glm::vec4 clip =
+      camera.projection(kWindow.x / kWindow.y) * camera.view() * glm::vec4(xyz[at], xyz[at + 1], xyz[at + 2], 1);
+  return {(clip.x / clip.w + 1) / 2 * kWindow.x, (1 - clip.y / clip.w) / 2 * kWindow.y};
+}
+
+TEST(Picking, FindsEveryParticleUnderTheCursorOnSheetsOfAllShapes) {
+  for (const auto& [columns, rows] : {std::pair{1, 1}, {1, 9}, {9, 1}, {2, 2}, {20, 20}, {37, 11}}) {
+    const Sheet sheet = sheetOf(columns, rows);
+    const std::vector<float> xyz = startOf(sheet);
+    const Camera camera = cameraOn(xyz);
+    for (int particle = 0; particle < sheet.count(); ++particle) {
+      EXPECT_EQ(pickParticle(camera, pixelOf(camera, xyz, particle), kWindow, sheet, xyz), particle)
+          << columns << "x" << rows;
+    }
+  }
+}
+
+TEST(Picking, TakesTheLayerThatTheEyeSeesFirst) {
+  // The upper half lies in the plane z = 0, the lower half is folded up behind it.
+  Sheet sheet = sheetOf(5, 10);
+  std::vector<float> xyz = startOf(sheet);
+  for (std::size_t i = 25; i < 50; ++i) {
+    xyz[3 * i + 1] = -0.1F * static_cast<float>(9 - i / 5);
+    xyz[3 * i + 2] = -0.3F;
+  }
+  const Camera camera = cameraOn(xyz);
+  const int front = 2 * 5 + 2;
+  EXPECT_EQ(pickParticle(camera, pixelOf(camera, xyz, front), kWindow, sheet, xyz), front);
+  const int behind = 7 * 5 + 2;
+  const auto picked = pickParticle(camera, pixelOf(camera, xyz, behind), kWindow, sheet, xyz);
+  ASSERT_TRUE(picked.has_value());
+  EXPECT_LT(*picked, 25) << "picked through the front layer";
+}
+
+TEST(Picking, AClickBesideTheClothFindsNothingBeyondTheRadius) {
+  const Sheet sheet = sheetOf(20, 20);
+  const std::vector<float> xyz = startOf(sheet);
+  const Camera camera = cameraOn(xyz);
+  const glm::vec2 corner = pixelOf(camera, xyz, 0), outward{-0.8F, -0.6F};
+  EXPECT_EQ(pickParticle(camera, corner + 8.0F * outward, kWindow, sheet, xyz), 0);
+  EXPECT_EQ(pickParticle(camera, corner + 30.0F * outward, kWindow, sheet, xyz), std::nullopt);
+}
+
+TEST(Picking, NeverPicksBehindTheEyeOrWhatIsNotFinite) {
+  const Sheet sheet = sheetOf(6, 6);
+  std::vector<float> xyz = startOf(sheet);
+  Camera camera = cameraOn(xyz);
+  const glm::vec2 place = pixelOf(camera, xyz, 14);
+  xyz[3 * 14] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_NE(pickParticle(camera, place, kWindow, sheet, xyz), 14);
+  camera.lookAlong(camera.yaw() + 3.14159F, -camera.pitch());
+  for (const glm::vec2 cursor : {glm::vec2(500, 400), glm::vec2(10, 10), place}) {
+    EXPECT_EQ(pickParticle(camera, cursor, kWindow, sheet, xyz), std::nullopt);
+  }
+}
+
+TEST(Picking, TheLineOfSightThroughAParticleMeetsIt) {
+  constexpr float kRounding = 1e-4F;  // m, single precision at a distance of a few metres
+  const Sheet sheet = sheetOf(20, 20);
+  const std::vector<float> xyz = startOf(sheet);
+  const Camera camera = cameraOn(xyz);
+  const glm::vec3 particle(xyz[3 * 45], xyz[3 * 45 + 1], xyz[3 * 45 + 2]);
+  const Ray ray = sightLine(camera, pixelOf(camera, xyz, 45), kWindow);
+  EXPECT_NEAR(glm::length(glm::cross(particle - ray.origin, ray.direction)), 0, kRounding);
+  EXPECT_GT(glm::dot(particle - ray.origin, ray.direction), 0);
+}
+
+}  // namespace
+}  // namespace tyg
