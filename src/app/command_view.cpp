@@ -59,7 +59,7 @@ class View {
     while (!window_->closeRequested() && !viewer_.leaving() && !interrupted()) {
       const double began = now();
       takeEvents();
-      viewer_.resize(window_->framebuffer(), hud_.margin());
+      viewer_.resize(window_->framebuffer(), viewer_.showsHelp() ? hud_.margin() : 0);
       stale_ = stale_ || !viewer_.idle();
       viewer_.frame();
       if (stale_ || !viewer_.idle()) show();
@@ -138,7 +138,7 @@ int view(const ViewOptions& options) {
   } catch (const InputError&) {
     throw;
   } catch (const std::runtime_error& error) {  // no such window, or a driver that refuses the shaders
-    std::cerr << "tyg view: " << error.what() << std::endl;
+    std::cerr << "tyg view: " << error.what() << "; tyg render draws without a window" << std::endl;
     return kSimulationFailed;
   }
   keep(viewer.record());

@@ -23,11 +23,14 @@ struct Hud::Colours {
 struct Hud::Column {
   float size = 0, left = 0, top = 0;
   float keys = 0, width = 0;  ///< of the key names, of the whole block
+  int lines = 0;
 };
 
 namespace {
 
 constexpr float kTextPixels = 18, kLargeRatio = 1.5F, kLineRatio = 1.35F;
+/// Of the window's width, for the keys on each side.
+constexpr float kKeysShare = 0.26F;
 /// ImGui's own font, used where DejaVu Sans is missing, is drawn for this size.
 constexpr float kBuiltinPixels = 13;
 constexpr std::array<const char*, 3> kFontFiles{"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
@@ -114,24 +117,30 @@ bool Hud::takes(const WindowEvent& event) const {
   }
 }
 
-Hud::Column Hud::columnOf(bool choices, const ImVec2& screen) const {
+Hud::Column Hud::measure(bool choices) const {
   Column column{.size = size_};
   float help = 0;
-  int lines = 0;
   for (const HelpLine& line : help_) {
     if (isChoice(line.action) != choices) continue;
     column.keys = std::max(column.keys, extentOf(font_, size_, line.keys).x);
     help = std::max(help, extentOf(font_, size_, line.help).x);
-    ++lines;
+    ++column.lines;
   }
   column.keys += size_;
   column.width = column.keys + help;
-  const float height = kLineRatio * size_ * static_cast<float>(lines + 6);  // the title above, the status below
-  // A window too small for the keys gets smaller keys rather than cut ones.
-  const float fit = std::min({1.0F, screen.y / height, 0.45F * screen.x / (column.width + size_)});
+  return column;
+}
+
+Hud::Column Hud::columnOf(bool choices, const ImVec2& screen) const {
+  Column column = measure(choices);
+  const Column other = measure(!choices);
+  const auto lines = static_cast<float>(4 + std::max(column.lines, other.lines));  // the status is below
+  const float width = size_ + std::max(column.width, other.width);
+  // A window too small for the keys gets smaller keys rather than cut ones, or keys over the cloth.
+  const float fit = std::min({1.0F, screen.y / (kLineRatio * size_ * lines), kKeysShare * screen.x / width});
   column.size *= fit, column.keys *= fit, column.width *= fit;
   column.left = choices ? screen.x - size_ - column.width : size_;
-  column.top = size_ + kLineRatio * size_ * 1.5F;
+  column.top = choices ? size_ : size_ * (1 + 1.5F * kLineRatio);  // the title is above the left one
   return column;
 }
 
@@ -157,7 +166,11 @@ void Hud::draw(const Viewer& viewer) {
                                          .warning = IM_COL32(176, 76, 0, 255),
                                          .shade = IM_COL32(255, 255, 255, 210)};
   write(font_, size_, {size_, size_}, colours.text, viewer.simulation().scene().title);
-  if (viewer.showsHelp()) drawKeys(viewer, colours);
+  if (viewer.showsHelp()) {
+    drawKeys(viewer, colours);
+  } else {
+    write(font_, size_, {size_, size_ * (1 + kLineRatio)}, colours.dim, "H shows the keys");
+  }
   drawStatus(viewer, colours);
   drawPrompt(viewer, colours);
   drawArrow(viewer, colours);
@@ -168,7 +181,7 @@ void Hud::draw(const Viewer& viewer) {
 void Hud::drawKeys(const Viewer& viewer, const Colours& colours) const {
   for (const bool choices : {false, true}) {
     const Column column = columnOf(choices, screenSize());
-    float y = choices ? size_ : column.top;
+    float y = column.top;
     bool methodLines = choices;
     for (const HelpLine& line : help_) {
       if (isChoice(line.action) != choices) continue;
@@ -188,9 +201,10 @@ void Hud::drawStatus(const Viewer& viewer, const Colours& colours) const {
   const Pace& pace = viewer.pace();
   std::array<char, 192> text{};
   const std::string_view method = viewer.simulation().method().name;
-  int length =
-      std::snprintf(text.data(), text.size(), "%.*s  \u00b7  step %.4g ms  \u00b7  t %.3f s",
-                    static_cast<int>(method.size()), method.data(), 1e3 * viewer.simulation().dt(), viewer.time());
+  StepText step;
+  describeStep(viewer.simulation(), step);
+  int length = std::snprintf(text.data(), text.size(), "%.*s  \u00b7  %s  \u00b7  t %.3f s",
+                             static_cast<int>(method.size()), method.data(), step.data(), viewer.time());
   const auto append = [&](const char* format, auto... values) {
     const auto used = static_cast<std::size_t>(length);
     length += std::snprintf(text.data() + used, text.size() - used, format, values...);

@@ -32,6 +32,7 @@ class Hud {
  private:
   struct Colours;
   struct Column;
+  [[nodiscard]] Column measure(bool choices) const;
   [[nodiscard]] Column columnOf(bool choices, const ImVec2& screen) const;
   void drawKeys(const Viewer& viewer, const Colours& colours) const;
   void drawStatus(const Viewer& viewer, const Colours& colours) const;

@@ -13,7 +13,7 @@ constexpr std::array kInputs{
     Input{' ', StartOrPause, "space", "start, pause"},
     Input{'.', Step, ".", "one step"},
     Input{'R', Restart, "R", "restart"},
-    Input{kLeftButton, Poke, "left click", "push, hold to go on"},
+    Input{kLeftButton, Poke, "left click", "push, or hold"},
     Input{kRightButton, Look, "right drag", "look around"},
     Input{kWheel, Approach, "wheel", "nearer, farther"},
     Input{'W', MoveForward, "W", "move"},
@@ -35,6 +35,7 @@ constexpr std::array kInputs{
     Input{'8', ChooseMethod, "8", "method"},
     Input{'9', ChooseMethod, "9", "method"},
     Input{'0', ChooseMethod, "0", "method"},
+    Input{'-', ChooseMethod, "-", "method"},
     Input{'T', ShowStructural, "T", "structural lines"},
     Input{'X', ShowShear, "X", "shear lines"},
     Input{'N', ShowBend, "N", "bend lines"},
@@ -53,7 +54,10 @@ const Input* findInput(KeyCode key) {
   return found == kInputs.end() ? nullptr : found;
 }
 
-std::size_t methodPlace(KeyCode key) { return key == '0' ? 9 : static_cast<std::size_t>(key - '1'); }
+std::size_t methodPlace(KeyCode key) {
+  constexpr std::string_view kRow = "1234567890-";  // as on the keyboard
+  return kRow.find(key);
+}
 
 std::vector<HelpLine> helpLines(std::span<const std::string_view> methods) {
   std::vector<HelpLine> lines;

@@ -36,7 +36,7 @@ struct Input {
 std::span<const Input> inputTable();
 /// Null for a key that does nothing.
 const Input* findInput(KeyCode key);
-/// The method that a number key chooses, as its place in methods(): 1 the first, 9 the ninth, 0 the tenth.
+/// The method that a number key chooses, as its place in methods(): 1 the first, 0 the tenth, - the eleventh.
 std::size_t methodPlace(KeyCode key);
 
 /// A line of the help on screen.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/run_report.h"
 #include "tyg/methods.h"
 #include "view/picking.h"
 
@@ -17,7 +18,7 @@ using enum InputAction;
 /// Simulated seconds that a click pushes, and by which holding the button goes on.
 constexpr double kClickSeconds = 0.1, kHoldSeconds = 0.02;
 /// A push as a share of the cloth's weight: a poke that is seen everywhere and tears nothing.
-constexpr double kPushShare = 0.1;
+constexpr double kPushShare = 0.15;
 /// But at least this many times the weight of the particle, for scenes of a few particles.
 constexpr double kLeastPush = 3;
 constexpr double kEarthGravity = 9.81;    // m/s2: what a push is measured by even where a scene has no gravity
@@ -61,6 +62,14 @@ std::string_view nameOf(RunState state) {
   return kNames.at(static_cast<std::size_t>(state));
 }
 
+void describeStep(const Simulation& simulation, StepText& text) {
+  if (simulation.method().adaptive) {
+    std::snprintf(text.data(), text.size(), "tolerance of %.4g mm", 1e3 * simulation.scene().tolerance);
+  } else {
+    std::snprintf(text.data(), text.size(), "step of %.4g ms", 1e3 * simulation.dt());
+  }
+}
+
 Viewer::Viewer(const Scene& scene, const Settings& settings, Clock clock)
     : scene_(scene),
       settings_(settings),
@@ -74,7 +83,10 @@ Viewer::Viewer(const Scene& scene, const Settings& settings, Clock clock)
 }
 
 void Viewer::handle(const WindowEvent& event) {
-  if (event.kind == WindowEvent::Kind::Press && idle()) lastFrame_ = clock_();  // the idle time is not to be made up
+  if (event.kind == WindowEvent::Kind::Press && idle()) {  // the idle time is neither made up nor measured
+    lastFrame_ = clock_();
+    woken_ = true;
+  }
   try {
     switch (event.kind) {
       case WindowEvent::Kind::Press:
@@ -248,7 +260,8 @@ void Viewer::frame() {
     const double others = frameSeconds_ - simulatingSeconds_;
     frameClock_.ran(run(frameClock_.due(seconds), std::max(kSimulatingSeconds, others)));
   }
-  measure(seconds, clock_() - now);
+  if (!woken_) measure(seconds, clock_() - now);
+  woken_ = false;
 }
 
 /// Runs up to `ticks`, one at least where any are due, and stops when `seconds` are over. Returns how many it ran.
@@ -278,10 +291,12 @@ void Viewer::showState() {
 
 void Viewer::freezeOnAlarm() {
   const bool finite = simulation_.status() == Status::Unstable;
-  std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(), "%s with a step of %.4g ms %s at %.3f s.",
-                std::string(simulation_.method().name).c_str(), 1e3 * simulation_.dt(),
-                finite ? "became unstable" : "left the numbers that can be computed with", simulation_.alarmTime());
+  StepText step;
+  describeStep(simulation_, step);
+  std::array<char, 192> text{};
+  std::snprintf(text.data(), text.size(), "%s with a %s %s at %.3f s.", std::string(simulation_.method().name).c_str(),
+                step.data(), finite ? "became unstable" : "left the numbers that can be computed with",
+                simulation_.alarmTime());
   freeze(text.data());
 }
 
@@ -324,9 +339,7 @@ ViewLogLine Viewer::logLine() {
 PushLog Viewer::record() const {
   PushLog log = simulation_.log();
   log.ticks = simulation_.ticks();
-  std::array<char, 24> hash{};
-  std::snprintf(hash.data(), hash.size(), "%016llx", static_cast<unsigned long long>(simulation_.hash()));
-  log.hash = hash.data();
+  log.hash = hashText(simulation_);
   return log;
 }
 

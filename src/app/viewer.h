@@ -32,6 +32,10 @@ struct Pace {
   bool behind = false;         ///< the machine cannot keep up with real time
 };
 
+using StepText = std::array<char, 48>;
+/// `step of 2 ms`, or `tolerance of 0.1 mm` for a method that chooses its own steps. Allocates nothing.
+void describeStep(const Simulation& simulation, StepText& text);
+
 class Viewer {
  public:
   using Clock = std::function<double()>;  ///< s, from any start
@@ -102,6 +106,7 @@ class Viewer {
   RunState state_ = RunState::Waiting;
   bool leaving_ = false;
   double lastFrame_ = 0;  ///< s, of the clock
+  bool woken_ = false;    ///< this frame ends an idle time
 
   std::vector<float> positions_;
   double time_ = 0, kinetic_ = 0;

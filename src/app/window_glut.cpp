@@ -31,7 +31,9 @@ constexpr std::chrono::milliseconds kNap{5};
 
 /// Nothing may be thrown through freeglut's C frames, and it cannot go on: this is where it ends.
 [[noreturn]] void endHere(const char* reason) {
-  std::fprintf(stderr, "tyg: this display gives no OpenGL 3.3 window (freeglut: %s); --window glfw may\n", reason);
+  std::fprintf(stderr,
+               "tyg view: this display gives no OpenGL 3.3 window (freeglut: %s); tyg render draws without one\n",
+               reason);
   std::_Exit(1);
 }
 void onGlutError(const char* format, va_list arguments) {

@@ -41,6 +41,7 @@ TEST(InputTable, NumberKeysChooseMethodsInOrder) {
   EXPECT_EQ(methodPlace('1'), 0U);
   EXPECT_EQ(methodPlace('9'), 8U);
   EXPECT_EQ(methodPlace('0'), 9U);
+  EXPECT_EQ(methodPlace('-'), 10U);
 }
 
 TEST(InputTable, HelpNamesEveryKeyButThoseOfMissingMethods) {
