@@ -89,6 +89,7 @@ int parseAndRun(CLI::App& app, std::vector<std::string> words) {
   addRunCommand(app, action);
   addRenderCommand(app, action);
   addPlotCommand(app, action);
+  addChartCommand(app, action);
   addListCommand(app, action);
   app.require_subcommand(1);
   try {

@@ -35,6 +35,7 @@ void addViewCommand(CLI::App& app, Action& action);
 void addRunCommand(CLI::App& app, Action& action);
 void addRenderCommand(CLI::App& app, Action& action);
 void addPlotCommand(CLI::App& app, Action& action);
+void addChartCommand(CLI::App& app, Action& action);
 void addListCommand(CLI::App& app, Action& action);
 
 }  // namespace tyg

@@ -1,0 +1,20 @@
+// The files of a drawn study in one folder: checked before anything is computed, drawn by gnuplot where it is there.
+// Must not know: what is drawn.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace tyg {
+
+/// The folder, made where it is missing; each of these files in it can then be written. Throws InputError.
+std::filesystem::path preparedFolder(const std::string& name, std::span<const std::string> files);
+
+/// Runs the script STEM.gp in `folder`, which draws what is in `rows`, and keeps STEM.svg and STEM.png when both are
+/// whole. Says on standard error, as `command`, what went wrong, on standard output how to draw where gnuplot is
+/// missing. Returns an exit code.
+int drawFiles(const std::string& command, const std::filesystem::path& folder, const std::string& stem,
+              const std::string& rows);
+
+}  // namespace tyg

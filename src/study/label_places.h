@@ -1,0 +1,33 @@
+// Where names can stand at the ends of curves without hiding each other or the curves.
+// Must not know: what is charted, how it is drawn.
+#pragma once
+
+#include <vector>
+
+namespace tyg {
+
+/// A point of a picture: pixels from its top left corner.
+struct Pixel {
+  double x = 0, y = 0;
+};
+
+/// A rectangle of a picture.
+struct PixelBox {
+  double left = 0, right = 0, top = 0, bottom = 0;
+  [[nodiscard]] bool meets(const PixelBox& other) const;
+  /// Does the straight line between two points touch it?
+  [[nodiscard]] bool meetsLine(const Pixel& a, const Pixel& b) const;
+};
+
+/// A name that wants to stand beside a point.
+struct WantedLabel {
+  Pixel at;
+  double width = 0, height = 0;
+};
+
+/// One box for each wanted label, in their order: inside `bounds`, clear of all other boxes where there is room, of
+/// `taken` ones, and as far as possible of the lines, and near its point.
+std::vector<PixelBox> placeLabels(const std::vector<WantedLabel>& wanted, const std::vector<std::vector<Pixel>>& lines,
+                                  const std::vector<PixelBox>& taken, const PixelBox& bounds);
+
+}  // namespace tyg

@@ -1,0 +1,45 @@
+// The motion that errors are measured against, how far it can be trusted, and how strongly the cloth itself amplifies a
+// small disturbance (model.md, section 7). Must not know: the methods under study, clocks.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "study/sampled_motion.h"
+
+namespace tyg {
+
+/// A scene's motion by an adaptive method of high order with a tolerance of 1e-13 of the sheet's size, in double, and
+/// what is known about its own error. Everything by sample time, at least 20 of them.
+struct Reference {
+  Scene scene;      ///< as it was run
+  double size = 0;  ///< of the sheet, m
+  SampledMotion motion;
+  double secondStep = 0;  ///< s, of the classical Runge-Kutta method that gave the second opinion
+  /// Largest distance (m, RMS over particles) so far between the two. Empty where the second opinion failed.
+  std::vector<double> disagreement;
+  /// A: how far a twin that starts a billionth of the size away has gone from here, over its start distance; infinite
+  /// from where the distance passes a thousandth of the size.
+  std::vector<double> amplification;
+  bool stopped = false;  ///< by the observer
+
+  /// Is it complete, with a second opinion?
+  [[nodiscard]] bool usable() const;
+  /// The least error (m) that means something up to a sample time: the larger of the disagreement so far and of what
+  /// the amplification makes of one rounding error.
+  [[nodiscard]] double floorAt(std::size_t sample, Precision precision) const;
+  /// The same over the whole run.
+  [[nodiscard]] double floorOf(Precision precision) const { return floorAt(motion.times.size() - 1, precision); }
+  /// T*: the last sample time (s) whose floor is below a tenth of this error (m); 0 where there is none.
+  [[nodiscard]] double horizonOf(double error, Precision precision) const;
+};
+
+/// Computes a scene's reference over its whole duration. `observer` gets the fraction done and may return false to
+/// stop.
+Reference makeReference(Scene scene, int threads, const std::function<bool(double fraction)>& observer);
+
+/// The same scene, every free particle moved by the same small random displacements each time: `distance` m RMS over
+/// all particles.
+Scene twinOf(Scene scene, double distance);
+
+}  // namespace tyg

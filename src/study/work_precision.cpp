@@ -1,0 +1,190 @@
+// The study: ladders of error runs, then rounds of timing.
+#include "study/work_precision.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/error.h"
+#include "study/ladder.h"
+
+namespace tyg {
+namespace {
+
+constexpr double kLadderShare = 0.55;  // of the whole work, about as measured
+constexpr int kMostRepeats = 12;
+
+RowStatus rowStatus(Status status) {
+  return status == Status::Ok ? RowStatus::Ok : status == Status::Unstable ? RowStatus::Unstable : RowStatus::NotFinite;
+}
+
+class StudyMaker {
+ public:
+  StudyMaker(const Scene& scene, const Reference& reference, const StudyPlan& plan)
+      : scene_(scene), reference_(reference), plan_(plan), times_(sampleTimes(scene)) {}
+
+  Study make() {
+    std::size_t series = 0;
+    for (const Method* method : plan_.methods) {
+      for (const Precision precision : plan_.precisions) {
+        seriesDone_ = series++;
+        if (!study_.stopped) climb(*method, precision);
+      }
+    }
+    if (!study_.stopped) repeatTimings();
+    for (const Timed& run : runs_) study_.rows.push_back(run.row);
+    return std::move(study_);
+  }
+
+ private:
+  /// A row, and what is needed to time it again.
+  struct Timed {
+    WorkRow row;
+    Scene scene;
+    const Method* method;
+    std::size_t rung;  ///< its place in the ladder
+    int repeats = 0;
+    double spent = 0;  ///< s, in timing
+  };
+
+  /// Down one ladder until the error is as small as it can or shall be, or a run takes too long.
+  void climb(const Method& method, Precision precision) {
+    Scene scene = scene_;
+    scene.precision = precision;
+    seriesStart_ = plan_.clock();
+    std::size_t number = 0;
+    for (const Rung& rung : ladderOf(scene_, method)) {
+      scene.dt = rung.dt;
+      scene.tolerance = rung.tolerance;
+      try {
+        runs_.push_back({errorRow(scene, method), scene, &method, number++});
+      } catch (const InputError& refusal) {
+        refuse(method, refusal.what());
+        return;
+      }
+      if (study_.stopped) {
+        runs_.pop_back();
+        return;
+      }
+      if (runs_.back().row.status != RowStatus::TooSlow) time(runs_.back());
+      if (study_.stopped || endsLadder(number)) return;
+    }
+  }
+
+  void refuse(const Method& method, const std::string& why) {
+    const std::string text = std::string(method.name) + ": " + why;
+    if (std::ranges::find(study_.refusals, text) == study_.refusals.end()) study_.refusals.push_back(text);
+  }
+
+  WorkRow errorRow(const Scene& scene, const Method& method) {
+    const double start = plan_.clock();
+    bool late = false;
+    const auto observer = [&](double) {
+      late = plan_.clock() - start > plan_.runBudget;
+      return goesOn(ladderFraction()) && !late;
+    };
+    const SampledMotion motion =
+        sampledRun(scene, method, times_, {.threads = plan_.threads, .ledger = true, .observer = observer});
+    WorkRow row;
+    row.scene = scene.name, row.columns = scene.columns, row.rows = scene.rows;
+    row.integrator = method.name, row.precision = scene.precision;
+    row.dt = motion.largestStep, row.tolerance = method.adaptive ? scene.tolerance : 0;
+    row.steps = motion.steps, row.forceEvaluations = motion.forceEvaluations;
+    row.floor = reference_.floorOf(scene.precision);
+    row.status = motion.stopped ? RowStatus::TooSlow : rowStatus(motion.status);
+    if (row.status == RowStatus::TooSlow) row.seconds = plan_.clock() - start;
+    if (row.status != RowStatus::Ok) return row;
+    const Distance error = motionError(motion, reference_.motion);
+    row.rmsError = error.rms, row.maxError = error.largest;
+    row.energyDrift = motion.energyDrift;
+    row.horizon = reference_.horizonOf(error.rms, scene.precision);
+    return row;
+  }
+
+  /// Times the run of a row: the same scene from stop to stop, with nothing else between the steps.
+  void time(Timed& run) {
+    Simulation simulation(run.scene, *run.method, {.threads = plan_.threads});
+    simulation.observe([&] { return goesOn(fraction_); });
+    const double start = plan_.clock();
+    simulation.advanceTo(run.scene.duration);
+    const double seconds = plan_.clock() - start;
+    if (study_.stopped) return;
+    WorkRow& row = run.row;
+    if (row.status == RowStatus::Ok) row.status = rowStatus(simulation.status());
+    row.steps = simulation.steps(), row.forceEvaluations = simulation.forceEvaluations();
+    row.dt = simulation.largestStep();
+    row.seconds = run.repeats == 0 ? seconds : std::min(row.seconds, seconds);
+    run.spent += seconds;
+    ++run.repeats;
+  }
+
+  [[nodiscard]] bool endsLadder(std::size_t rungs) const {
+    const WorkRow& row = runs_.back().row;
+    if (row.status == RowStatus::TooSlow) return true;
+    if (row.status != RowStatus::Ok) return false;
+    if (row.rmsError < std::max(row.floor, plan_.lowestError)) return true;
+    // Rounding, not the method, is what is left where a finer rung gains nothing near the floor.
+    constexpr double kNearTheFloor = 1000, kNoGain = 0.7;
+    const bool near = row.rmsError < kNearTheFloor * row.floor;
+    return near && rungs > 1 && row.rmsError > kNoGain * runs_[runs_.size() - 2].row.rmsError;
+  }
+
+  [[nodiscard]] bool wantsRepeat(const Timed& run) const {
+    if (run.row.status != RowStatus::Ok || run.repeats >= kMostRepeats) return false;
+    return run.repeats < plan_.fewestRepeats || run.spent < plan_.repeatSeconds;
+  }
+
+  /// Rounds over all rows, neighbours in time being different methods at the same place of their ladders: whatever
+  /// slows the machine down for a while slows all methods down.
+  void repeatTimings() {
+    std::vector<Timed*> order;
+    for (Timed& run : runs_) order.push_back(&run);
+    std::ranges::stable_sort(order, {}, &Timed::rung);
+    double expected = 0, spent = 0;
+    for (const Timed* run : order) {
+      if (!wantsRepeat(*run)) continue;
+      expected += std::max((plan_.fewestRepeats - 1) * run->row.seconds,
+                           std::min(plan_.repeatSeconds, (kMostRepeats - 1) * run->row.seconds));
+    }
+    for (bool any = true; any && !study_.stopped;) {
+      any = false;
+      for (Timed* run : order) {
+        if (study_.stopped || !wantsRepeat(*run)) continue;
+        any = true;
+        const double before = run->spent;
+        time(*run);
+        spent += run->spent - before;
+        fraction_ = kLadderShare + (1 - kLadderShare) * std::min(1.0, spent / expected);
+      }
+    }
+  }
+
+  /// A series takes some budgets' time at most; one that ends early makes the rest come sooner.
+  double ladderFraction() {
+    constexpr double kBudgetsPerSeries = 5;
+    const double inSeries = std::min(1.0, (plan_.clock() - seriesStart_) / (kBudgetsPerSeries * plan_.runBudget));
+    const double all = double(plan_.methods.size() * plan_.precisions.size());
+    return fraction_ = std::max(fraction_, kLadderShare * (double(seriesDone_) + inSeries) / all);
+  }
+
+  bool goesOn(double fraction) {
+    if (plan_.observer && !plan_.observer(fraction)) study_.stopped = true;
+    return !study_.stopped;
+  }
+
+  const Scene& scene_;
+  const Reference& reference_;
+  const StudyPlan& plan_;
+  std::vector<double> times_;
+  Study study_;
+  std::vector<Timed> runs_;
+  std::size_t seriesDone_ = 0;
+  double seriesStart_ = 0, fraction_ = 0;
+};
+
+}  // namespace
+
+Study workPrecision(const Scene& scene, const Reference& reference, const StudyPlan& plan) {
+  return StudyMaker(scene, reference, plan).make();
+}
+
+}  // namespace tyg
