@@ -128,7 +128,13 @@ glm::vec3 Camera::up() const { return glm::cross(right(), forward()); }
 
 float Camera::distance() const { return std::max(glm::distance(eye_, cloth_.centre()), 0.05F * cloth_.size()); }
 
-glm::mat4 Camera::view() const { return glm::lookAt(eye_, eye_ + forward(), glm::vec3(0, 1, 0)); }
+glm::mat4 Camera::view() const {
+  // From the axes, not from a point ahead of the eye: far out, eye + forward rounds to the eye itself.
+  const glm::mat3 axes = glm::transpose(glm::mat3(right(), up(), -forward()));
+  glm::mat4 view(axes);
+  view[3] = glm::vec4(axes * -eye_, 1);
+  return view;
+}
 
 glm::mat4 Camera::projection(float aspect) const {
   return glm::perspective(fieldOfView_, aspect > 0 && std::isfinite(aspect) ? aspect : 1.0F, nearest(), farthest());
