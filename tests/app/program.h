@@ -64,7 +64,7 @@ struct Outcome {
 inline Outcome tyg(const std::string& arguments, const std::string& before = "") {
   const Folder folder;
   const std::string out = (folder / "out").string(), err = (folder / "err").string();
-  const std::string command = before + " " TYG_PROGRAM " " + arguments + " >" + out + " 2>" + err + " </dev/null";
+  const std::string command = before + " '" TYG_PROGRAM "' " + arguments + " >" + out + " 2>" + err + " </dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentsOf(out), contentsOf(err)};
 }
