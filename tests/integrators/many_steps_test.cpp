@@ -1,0 +1,83 @@
+// Many steps in one call give the bits of as many single steps, whatever is fused inside.
+#include <gtest/gtest.h>
+
+#include "test_systems.h"
+#include "tyg/methods.h"
+
+namespace tyg::test {
+namespace {
+
+/// The state after the same number of steps, in calls of `together` steps each.
+template <class T>
+State<T> after(const Scene& scene, const Method& method, int threads, int together, int calls) {
+  constexpr double kStep = 1e-3;
+  Bench<T> bench(scene, threads);
+  Numbers numbers(51);
+  Points start = bench.points();
+  shake(bench, 0.2, numbers);
+  Points shaken = bench.points();
+  for (const int pin : bench.sheet.pins) {
+    shaken.x[std::size_t(pin)] = start.x[std::size_t(pin)];
+    shaken.v[std::size_t(pin)] = {};
+  }
+  bench.set(shaken);
+  const auto integrator = method.make<T>(bench.scene, bench.sheet);
+  for (int call = 0; call < calls; ++call) integrator->steps(bench.forces, bench.state, kStep, together);
+  if (method.evaluationsPerStep >= 0) {
+    EXPECT_EQ(bench.forces.evaluations(), method.evaluationsAtStart + together * calls * method.evaluationsPerStep)
+        << method.name;
+  }
+  return bench.state;
+}
+
+template <class T>
+void compareRandomScene(const Method& method, int columns, int rows, Numbers& numbers) {
+  Scene scene = randomScene(columns, rows, numbers);
+  scene.damping = Damping::Relative;  // which every method takes
+  const std::uint64_t expected = hashOf(after<T>(scene, method, 1, 1, 64));
+  EXPECT_EQ(hashOf(after<T>(scene, method, 1, 64, 1)), expected) << method.name << " " << columns << "x" << rows;
+  EXPECT_EQ(hashOf(after<T>(scene, method, 2, 4, 16)), expected) << method.name << " " << columns << "x" << rows;
+  EXPECT_EQ(hashOf(after<T>(scene, method, 3, 64, 1)), expected) << method.name << " " << columns << "x" << rows;
+}
+
+/// Backward Euler's solve would take most of the time, and it fuses nothing.
+bool isSlow(const Method& method) { return method.name == "backward-euler"; }
+
+template <class T>
+void compareAllSheets() {
+  Numbers numbers(61);
+  for (const auto& [columns, rows] : {std::pair{1, 1}, {1, 7}, {19, 1}, {2, 2}, {5, 4}, {17, 9}, {40, 21}, {3, 70}}) {
+    for (const Method& method : methods()) {
+      if (!isSlow(method)) compareRandomScene<T>(method, columns, rows, numbers);
+    }
+  }
+}
+
+TEST(ManySteps, GiveTheBitsOfSingleStepsInDouble) { compareAllSheets<double>(); }
+TEST(ManySteps, GiveTheBitsOfSingleStepsInFloat) { compareAllSheets<float>(); }
+
+TEST(ManySteps, SeeAPushInEveryStep) {
+  for (const Method& method : methods()) {
+    Bench<double> bench(softSheet(Damping::Relative)), single(softSheet(Damping::Relative));
+    bench.forces.addPush(7, {1, 2, 3});
+    single.forces.addPush(7, {1, 2, 3});
+    method.make<double>(bench.scene, bench.sheet)->steps(bench.forces, bench.state, 0.01, 10);
+    single.advance(method, 0.1, 10);
+    EXPECT_EQ(hashOf(bench.state), hashOf(single.state)) << method.name;
+  }
+}
+
+TEST(ManySteps, FollowTheDissipationInEveryStep) {
+  for (const Method& method : methods()) {
+    Bench<double> bench(softSheet(Damping::Relative)), single(softSheet(Damping::Relative));
+    bench.forces.trackDissipation(true);
+    single.forces.trackDissipation(true);
+    method.make<double>(bench.scene, bench.sheet)->steps(bench.forces, bench.state, 0.01, 10);
+    single.advance(method, 0.1, 10);
+    EXPECT_EQ(bench.forces.dissipated(), single.forces.dissipated()) << method.name;
+    EXPECT_GT(bench.forces.dissipated(), 0) << method.name;
+  }
+}
+
+}  // namespace
+}  // namespace tyg::test
