@@ -146,7 +146,7 @@ int view(const ViewOptions& options) {
 }
 
 std::string checkScale(const std::string& text) {
-  const std::string complaint = checkPositive(text, "1 is the ordinary size of text, 1.5 half as much again");
+  std::string complaint = checkPositive(text, "1 is the ordinary size of text, 1.5 half as much again");
   if (!complaint.empty()) return complaint;
   const double scale = std::stod(text);
   return scale >= 0.25 && scale <= 8 ? "" : "found '" + text + "', allowed is a number from 0.25 to 8";

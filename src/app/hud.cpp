@@ -199,22 +199,19 @@ void Hud::drawKeys(const Viewer& viewer, const Colours& colours) const {
 
 void Hud::drawStatus(const Viewer& viewer, const Colours& colours) const {
   const Pace& pace = viewer.pace();
-  std::array<char, 192> text{};
-  const std::string_view method = viewer.simulation().method().name;
   StepText step;
   describeStep(viewer.simulation(), step);
-  int length = std::snprintf(text.data(), text.size(), "%.*s  \u00b7  %s  \u00b7  t %.3f s",
-                             static_cast<int>(method.size()), method.data(), step.data(), viewer.time());
-  const auto append = [&](const char* format, auto... values) {
-    const auto used = static_cast<std::size_t>(length);
-    length += std::snprintf(text.data() + used, text.size() - used, format, values...);
-  };
+  std::array<char, 64> rates{"- frames/s  \u00b7  - % simulating"}, behind{};
   if (pace.framesPerSecond > 0) {
-    append("  \u00b7  %.0f frames/s  \u00b7  %.0f %% simulating", pace.framesPerSecond, 100 * pace.simulating);
-  } else {
-    append("  \u00b7  - frames/s  \u00b7  - %% simulating");
+    std::snprintf(rates.data(), rates.size(), "%.0f frames/s  \u00b7  %.0f %% simulating", pace.framesPerSecond,
+                  100 * pace.simulating);
   }
-  if (pace.behind) append("  \u00b7  %.2g of real time", pace.realTime);
+  if (pace.behind) std::snprintf(behind.data(), behind.size(), "  \u00b7  %.2g of real time", pace.realTime);
+  const std::string_view method = viewer.simulation().method().name;
+  std::array<char, 256> text{};
+  std::snprintf(text.data(), text.size(), "%.*s  \u00b7  %s  \u00b7  t %.3f s  \u00b7  %s%s",
+                static_cast<int>(method.size()), method.data(), step.data(), viewer.time(), rates.data(),
+                behind.data());
   const float width = extentOf(font_, size_, text.data()).x;
   const float size = size_ * std::min(1.0F, (screenSize().x - 2 * size_) / std::max(width, 1.0F));
   write(font_, size, {size_, screenSize().y - size_ - size}, pace.behind ? colours.warning : colours.dim, text.data());

@@ -26,6 +26,9 @@ constexpr double kPushSeenSeconds = 0.3;  // wall time that a push stays on scre
 
 /// The simulation may take this long a frame, or as long as everything else takes where that is longer.
 constexpr double kSimulatingSeconds = 0.012;
+/// The trial run that finds out how much room a cloth needs: simulated and wall time at most, ticks between looks.
+constexpr double kTrialSeconds = 3, kTrialWallSeconds = 0.15;
+constexpr int kTicksPerLook = 10;
 constexpr double kSmoothingSeconds = 0.5;
 /// A longer frame says that nothing moved before it, not how fast frames come.
 constexpr double kLongestMeasuredFrame = 0.5;
@@ -37,18 +40,36 @@ double pushNewtons(const Sheet& sheet) {
 
 int wholeTicks(double seconds, double dt) { return std::max(1, static_cast<int>(std::ceil(seconds / dt - 1e-9))); }
 
-/// The corners of the room that a cloth needs which has not moved yet: a pinned one that starts flat will swing down.
-std::vector<glm::vec3> roomFor(const Scene& scene, const Sheet& sheet, const Box& start) {
-  const std::array<glm::vec3, 8> corners = start.corners();
-  std::vector<glm::vec3> room(corners.begin(), corners.end());
-  const glm::vec3 gravity(scene.gravity.x, scene.gravity.y, scene.gravity.z);
-  if (sheet.start != Start::Flat || glm::length(gravity) == 0) return room;
+void addCorners(const Box& box, std::vector<glm::vec3>& room) {
+  const std::array<glm::vec3, 8> corners = box.corners();
+  room.insert(room.end(), corners.begin(), corners.end());
+}
+
+/// Where a pinned cloth that starts flat will hang.
+void addHangingCloth(const Simulation& simulation, std::vector<glm::vec3>& room) {
+  const Sheet& sheet = simulation.sheet();
+  const Vec3& pull = simulation.scene().gravity;
+  const glm::vec3 gravity(pull.x, pull.y, pull.z);
+  if (sheet.start != Start::Flat || glm::length(gravity) == 0) return;
   const glm::vec3 fall = static_cast<float>(sheet.spacing * (sheet.rows - 1)) * glm::normalize(gravity);
   for (const int pin : sheet.pins) {
     const Vec3 at = sheet.startPosition(pin);
     room.push_back(fall + glm::vec3(at.x, at.y, at.z));
   }
-  return room;
+}
+
+/// Where a pinned cloth gets to in its first seconds, by trying it out for as long as nobody notices. Only the view
+/// depends on how far that comes.
+void addMotion(Simulation trial, const Viewer::Clock& clock, std::vector<glm::vec3>& room) {
+  std::vector<float> xyz(static_cast<std::size_t>(3 * trial.sheet().count()));
+  const double start = clock(), end = std::min(trial.scene().duration, kTrialSeconds);
+  while (trial.time() < end && clock() - start < kTrialWallSeconds) {
+    trial.tick();
+    if (trial.ticks() % kTicksPerLook != 0) continue;
+    if (trial.check() != Status::Ok) return;
+    trial.copyPositions(xyz);
+    addCorners(boxAround(xyz), room);
+  }
 }
 
 bool isHeldAction(InputAction action) {
@@ -80,6 +101,10 @@ Viewer::Viewer(const Scene& scene, const Settings& settings, Clock clock)
       lastFrame_(clock_()),
       positions_(static_cast<std::size_t>(3 * simulation_.sheet().count())) {
   showState();
+  addCorners(box_, room_);
+  if (simulation_.sheet().pins.empty()) return;
+  addHangingCloth(simulation_, room_);
+  addMotion(Simulation(scene_, *method_, settings_), clock_, room_);
 }
 
 void Viewer::handle(const WindowEvent& event) {
@@ -240,7 +265,7 @@ void Viewer::frameCloth() {
   if (simulation_.ticks() > 0) {
     camera_.frame(box_, aspect);
   } else {
-    camera_.frame(roomFor(scene_, simulation_.sheet(), box_), aspect);
+    camera_.frame(room_, aspect);
   }
   framed_ = true;
 }

@@ -117,6 +117,7 @@ class Viewer {
   std::function<void(const PushLog&)> onRunEnd_;
 
   Camera camera_;
+  std::vector<glm::vec3> room_;  ///< to frame before anything moved
   Extent pixels_;
   int margin_ = 0;
   bool framed_ = false;
