@@ -206,7 +206,7 @@ void Hud::drawStatus(const Viewer& viewer, const Colours& colours) const {
     std::snprintf(rates.data(), rates.size(), "%.0f frames/s  \u00b7  %.0f %% simulating", pace.framesPerSecond,
                   100 * pace.simulating);
   }
-  if (pace.behind) std::snprintf(behind.data(), behind.size(), "  \u00b7  %.2g of real time", pace.realTime);
+  if (viewer.behind()) std::snprintf(behind.data(), behind.size(), "  \u00b7  %.2g of real time", pace.realTime);
   const std::string_view method = viewer.simulation().method().name;
   std::array<char, 256> text{};
   std::snprintf(text.data(), text.size(), "%.*s  \u00b7  %s  \u00b7  t %.3f s  \u00b7  %s%s",
@@ -214,7 +214,8 @@ void Hud::drawStatus(const Viewer& viewer, const Colours& colours) const {
                 behind.data());
   const float width = extentOf(font_, size_, text.data()).x;
   const float size = size_ * std::min(1.0F, (screenSize().x - 2 * size_) / std::max(width, 1.0F));
-  write(font_, size, {size_, screenSize().y - size_ - size}, pace.behind ? colours.warning : colours.dim, text.data());
+  write(font_, size, {size_, screenSize().y - size_ - size}, viewer.behind() ? colours.warning : colours.dim,
+        text.data());
 }
 
 void Hud::drawPrompt(const Viewer& viewer, const Colours& colours) const {

@@ -338,7 +338,7 @@ void Viewer::measure(double frameSeconds, double simulatingSeconds) {
   pace_ = {.framesPerSecond = 1 / frameSeconds_,
            .simulating = simulatingSeconds_ / frameSeconds_,
            .realTime = frameClock_.realTimeFactor(),
-           .behind = state_ == RunState::Running && frameClock_.behind()};
+           .behind = frameClock_.behind()};
 }
 
 std::optional<ShownPush> Viewer::shownPush() const {

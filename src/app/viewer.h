@@ -29,7 +29,7 @@ struct Pace {
   double framesPerSecond = 0;  ///< 0 before anything moved
   double simulating = 0;       ///< share of the frame spent simulating, 0..1
   double realTime = 1;         ///< simulated seconds per second
-  bool behind = false;         ///< the machine cannot keep up with real time
+  bool behind = false;         ///< the machine did not keep up with real time
 };
 
 using StepText = std::array<char, 48>;
@@ -65,6 +65,7 @@ class Viewer {
   [[nodiscard]] const DrawOptions& drawOptions() const { return draw_; }
   [[nodiscard]] bool showsHelp() const { return help_; }
   [[nodiscard]] const Pace& pace() const { return pace_; }
+  [[nodiscard]] bool behind() const { return state_ == RunState::Running && pace_.behind; }
   [[nodiscard]] const std::string& message() const { return message_; }  ///< why it froze; empty else
   [[nodiscard]] const std::string& note() const { return note_; }
   /// x, y, z of the last good state, m, its time in s, and the box around it.
