@@ -1,0 +1,115 @@
+// Files appear whole or not at all, and a place that cannot be written is known beforehand.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "app/program.h"
+#include "core/whole_file.h"
+#include "tyg/scene.h"
+
+namespace tyg::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string refusalOf(const fs::path& path) {
+  try {
+    checkWritable(path);
+  } catch (const InputError& mistake) {
+    return mistake.what();
+  }
+  return "nothing was refused";
+}
+
+TEST(WholeFile, IsWrittenByteForByteAndAlone) {
+  const Folder folder;
+  const std::string bytes("one\r\n\0two", 9);
+  writeWholeFile(folder / "a.csv", bytes);
+  EXPECT_EQ(contentsOf(folder / "a.csv"), bytes);
+  EXPECT_EQ(folder.fileCount(), 1U);
+}
+
+TEST(WholeFile, ReplacesWhatWasThere) {
+  const Folder folder;
+  folder.write("a.csv", "a longer old text");
+  writeWholeFile(folder / "a.csv", "new");
+  EXPECT_EQ(contentsOf(folder / "a.csv"), "new");
+}
+
+TEST(WholeFile, ReplacesWhatALinkPointsToAndKeepsTheLink) {
+  const Folder folder;
+  folder.write("real.csv", "old");
+  fs::create_symlink(folder / "real.csv", folder / "link.csv");
+  writeWholeFile(folder / "link.csv", "new");
+  EXPECT_TRUE(fs::is_symlink(folder / "link.csv"));
+  EXPECT_EQ(contentsOf(folder / "real.csv"), "new");
+}
+
+TEST(WholeFile, CheckingLeavesNoTrace) {
+  const Folder folder;
+  folder.write("old.csv", "old");
+  checkWritable(folder / "old.csv");
+  checkWritable(folder / "new.csv");
+  EXPECT_EQ(contentsOf(folder / "old.csv"), "old");
+  EXPECT_EQ(folder.fileCount(), 1U);
+}
+
+TEST(WholeFile, RefusesAFolderThatIsNotThere) {
+  const Folder folder;
+  const std::string refusal = refusalOf(folder / "none" / "a.csv");
+  EXPECT_TRUE(holds(refusal, "the folder '" + (folder / "none").string() + "' cannot be found")) << refusal;
+  EXPECT_TRUE(holds(refusal, "allowed")) << refusal;
+}
+
+TEST(WholeFile, RefusesFoldersDevicesFilesAsFoldersAndNoName) {
+  const Folder folder;
+  folder.write("file", "");
+  EXPECT_TRUE(holds(refusalOf(folder / ""), "it names a folder")) << refusalOf(folder / "");
+  EXPECT_TRUE(holds(refusalOf((folder / "").parent_path()), "it names a folder"));
+  EXPECT_TRUE(holds(refusalOf(folder / "file" / "a.csv"), "is not a folder")) << refusalOf(folder / "file" / "a.csv");
+  EXPECT_TRUE(holds(refusalOf("/dev/null"), "not a plain file"));
+  EXPECT_TRUE(holds(refusalOf(""), "no name was given"));
+}
+
+TEST(WholeFile, RefusesAFolderThatNobodyMayWriteTo) {
+  const std::string refusal = refusalOf("/proc/self/a.csv");  // not even the superuser
+  EXPECT_TRUE(holds(refusal, "cannot write '/proc/self/a.csv': ")) << refusal;
+}
+
+TEST(WholeFile, ThatCannotBeWrittenLeavesTheOldOne) {
+  const Folder folder;
+  const fs::path old = folder.write("old.csv", "old");
+  {
+    WholeFile file(old);
+    EXPECT_THROW(file.keep(), InputError) << "nothing was written to its temporary file";
+  }
+  EXPECT_EQ(contentsOf(old), "old");
+}
+
+TEST(WholeFile, WrittenPieceByPieceAppearsOnlyWhenKept) {
+  const Folder folder;
+  {
+    WholeFile file(folder / "movie.mp4");
+    EXPECT_EQ(file.temporary().extension(), ".mp4");
+    EXPECT_EQ(file.temporary().parent_path(), (folder / "movie.mp4").parent_path());
+    std::ofstream(file.temporary()) << "frames";
+    EXPECT_FALSE(fs::exists(folder / "movie.mp4"));
+    file.keep();
+  }
+  EXPECT_EQ(contentsOf(folder / "movie.mp4"), "frames");
+  EXPECT_EQ(folder.fileCount(), 1U);
+}
+
+TEST(WholeFile, ThatIsNotKeptGoesAway) {
+  const Folder folder;
+  {
+    const WholeFile file(folder / "movie.mp4");
+    std::ofstream(file.temporary()) << "half of the frames";
+  }
+  EXPECT_EQ(folder.fileCount(), 0U);
+}
+
+}  // namespace
+}  // namespace tyg::test
