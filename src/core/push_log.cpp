@@ -68,7 +68,7 @@ class LogReader {
   }
 
   template <class Number>
-  Number number(std::string_view what, std::string_view text, Number lowest, Number highest) const {
+  [[nodiscard]] Number number(std::string_view what, std::string_view text, Number lowest, Number highest) const {
     Number value{};
     const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool whole = end.ec == std::errc() && end.ptr == text.data() + text.size();
@@ -78,7 +78,7 @@ class LogReader {
     return value;
   }
 
-  double finite(std::string_view what, std::string_view text, bool positive) const {
+  [[nodiscard]] double finite(std::string_view what, std::string_view text, bool positive) const {
     double value = 0;
     const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool whole = end.ec == std::errc() && end.ptr == text.data() + text.size();
