@@ -3,7 +3,8 @@
 #include "core/scene_table.h"
 
 #include <algorithm>
-#include <cctype>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -14,19 +15,37 @@ namespace {
 constexpr const char* kPlace = "a particle by name or as [column, row]";
 constexpr const char* kPlaces = "an array of particles or sets, each by name or as [column, row]";
 
-/// As TOML, on one line and not too long for a message.
+/// The shortest digits that mean this number, with a point where the file's number had one.
+std::string textOf(double number) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number);
+  const std::string digits(text.data(), end.ptr);
+  return digits.find_first_of(".eni") == std::string::npos ? digits + ".0" : digits;
+}
+
+/// As TOML on one line, without what is inside of tables.
 std::string textOf(const toml::node& value) {
   if (value.is_table()) return "a table";
-  constexpr std::size_t kLongest = 60;
-  std::ostringstream out;
-  value.visit([&out](const auto& known) { out << toml::toml_formatter{known}; });
-  std::string text;
-  for (const char c : out.str()) {
-    const bool space = std::isspace(static_cast<unsigned char>(c)) != 0;
-    if (!space) text += c;
-    if (space && !text.empty() && text.back() != ' ') text += ' ';
+  if (value.is_floating_point()) return textOf(value.ref<double>());
+  if (const toml::array* array = value.as_array()) {
+    std::string elements;
+    for (const toml::node& element : *array) elements += (elements.empty() ? "" : ", ") + textOf(element);
+    return '[' + elements + ']';
   }
-  return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
+  std::ostringstream out;
+  value.visit([&out](const auto& known) {
+    out << toml::toml_formatter{known, toml::format_flags::allow_unicode_strings};
+  });
+  return out.str();
+}
+
+/// Not too long for a message, and with no character cut in two.
+std::string shortened(std::string text) {
+  constexpr std::size_t kLongest = 60;
+  if (text.size() <= kLongest) return text;
+  std::size_t end = kLongest;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // inside a UTF-8 character
+  return text.substr(0, end) + "...";
 }
 
 /// TOML has whole numbers and others; a scene takes either where a number is asked for.
@@ -191,7 +210,7 @@ const toml::node* SceneTable::ask(std::string_view key, std::string allowed) {
 }
 
 void SceneTable::refuseValue(const toml::node& value) const {
-  refuseLine(value, "found " + textOf(value) + ", allowed " + asked_.back().allowed);
+  refuseLine(value, "found " + shortened(textOf(value)) + ", allowed " + asked_.back().allowed);
 }
 
 void SceneTable::refuseLine(const toml::node& value, const std::string& foundAndAllowed) const {
