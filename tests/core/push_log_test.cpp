@@ -1,7 +1,11 @@
 // Push logs: there and back to the same bits, and every mistake refused.
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <limits>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -137,6 +141,50 @@ TEST(PushLog, WithoutARequiredKeyOrAnyTextIsRefused) {
   }
   EXPECT_THROW((void)parsePushLog("", "my.log"), InputError);
   EXPECT_THROW((void)parsePushLog("# scene = a\n", "my.log"), InputError);
+}
+
+/// Any finite double, the smallest and the largest included.
+std::vector<double> manyDoubles() {
+  using Limits = std::numeric_limits<double>;
+  std::vector<double> numbers = {0.0, -0.0, 1.0 / 3, Limits::denorm_min(), Limits::min(), Limits::max()};
+  std::mt19937_64 engine(5);
+  while (numbers.size() < 3000) {
+    const auto number = std::bit_cast<double>(engine());
+    if (std::isfinite(number)) numbers.push_back(number);
+  }
+  return numbers;
+}
+
+TEST(PushLog, KeepsEveryBitOfEveryDouble) {
+  const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
+  const std::vector<double> numbers = manyDoubles();
+  PushLog log = fullLog();
+  const LogEvent push = log.events[0], step = log.events[2];
+  log.events.clear();
+  for (const double number : numbers) {
+    log.events.push_back(push);
+    log.events.back().tick = 7, log.events.back().force = {number, -number, 1};
+    log.events.push_back(step);
+    log.events.back().dt = number == 0 ? 1 : std::abs(number);
+  }
+  const PushLog back = parsePushLog(formatPushLog(log), "log");
+  ASSERT_EQ(back.events.size(), log.events.size());
+  for (std::size_t i = 0; i < log.events.size(); ++i) {
+    EXPECT_EQ(bits(back.events[i].force.x), bits(log.events[i].force.x)) << log.events[i].force.x;
+    EXPECT_EQ(bits(back.events[i].force.y), bits(log.events[i].force.y)) << log.events[i].force.y;
+    EXPECT_EQ(bits(back.events[i].dt), bits(log.events[i].dt)) << log.events[i].dt;
+  }
+}
+
+TEST(PushLog, KeepsTheLargestCounts) {
+  PushLog log = fullLog();
+  log.columns = log.rows = kLargestCount;
+  log.ticks = std::numeric_limits<std::int64_t>::max();
+  log.events.resize(1);
+  log.events[0].tick = log.ticks;
+  log.events[0].particle = kLargestCount * kLargestCount - 1;
+  log.events[0].ticks = std::numeric_limits<int>::max();
+  EXPECT_EQ(parsePushLog(formatPushLog(log), "log"), log);
 }
 
 }  // namespace

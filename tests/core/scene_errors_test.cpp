@@ -284,5 +284,33 @@ TEST(SceneErrors, NameTheFileThatWasLoaded) {
   std::filesystem::remove(path);
 }
 
+TEST(SceneErrors, ListTheBuiltinScenesWhereANameIsUnknown) {
+  const std::string said = loadingError("nonsense");
+  EXPECT_NE(said.find("'nonsense'"), std::string::npos) << said;
+  for (const BuiltinScene& scene : builtinScenes()) {
+    EXPECT_NE(said.find(std::string(scene.name)), std::string::npos) << scene.name << " in: " << said;
+  }
+}
+
+TEST(SceneErrors, CountTheLinesOfOtherSystemsAlike) {
+  std::string text = "\xef\xbb\xbf";
+  for (const char c : sceneWith(17, "drag = -1")) text += c == '\n' ? "\r\n" : std::string(1, c);
+  EXPECT_EQ(refusalOf(text), "wrong.toml:17: key world.drag: found -1, allowed a finite number of at least 0");
+}
+
+TEST(SceneErrors, NameTheGridThatASheetCannotHave) {
+  const Scene scene = loadScene("curtain");
+  for (const auto& [columns, rows] : {std::pair{0, 5}, {9, 0}, {4097, 5}, {9, 4097}, {-1, 5}}) {
+    try {
+      withSheet(scene, columns, rows);
+      ADD_FAILURE() << columns << "x" << rows << " was taken";
+    } catch (const InputError& mistake) {
+      EXPECT_EQ(std::string(mistake.what()),
+                "sheet: found " + std::to_string(columns) + "x" + std::to_string(rows) + ", allowed 1x1 to 4096x4096");
+    }
+  }
+  EXPECT_EQ(withSheet(scene, 4096, 1).columns, 4096);
+}
+
 }  // namespace
 }  // namespace tyg::test

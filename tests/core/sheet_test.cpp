@@ -133,5 +133,12 @@ TEST(Springs, RestAtTheModelsLengths) {
   EXPECT_DOUBLE_EQ(restLength(sheet, Family::Bend), 0.2);
 }
 
+TEST(Springs, OfTheLargestSheetAreCountedWithoutOverflow) {
+  const Sheet sheet = sheetOf(kLargestCount, kLargestCount);
+  EXPECT_EQ(springCount(sheet, Family::Structural), 2LL * 4095 * 4096);
+  EXPECT_EQ(springCount(sheet, Family::Shear), 2LL * 4095 * 4095);
+  EXPECT_EQ(springCount(sheet, Family::Bend), 2LL * 4094 * 4096);
+}
+
 }  // namespace
 }  // namespace tyg::test

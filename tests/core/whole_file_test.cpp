@@ -1,6 +1,8 @@
 // Files appear whole or not at all, and a place that cannot be written is known beforehand.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -109,6 +111,57 @@ TEST(WholeFile, ThatIsNotKeptGoesAway) {
     std::ofstream(file.temporary()) << "half of the frames";
   }
   EXPECT_EQ(folder.fileCount(), 0U);
+}
+
+/// As long as this lives, no file grows beyond `bytes`: writing fails as it does on a full disk.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    (void)std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  void (*handler_)(int) = std::signal(SIGXFSZ, SIG_IGN);  // the signal would end the program
+  rlimit before_{};
+};
+
+/// What is said about `count` bytes that do not fit.
+std::string refusalOfWriting(const fs::path& path, std::size_t count) {
+  const FullDisk full(100);
+  try {
+    writeWholeFile(path, std::string(count, 'x'));
+  } catch (const InputError& mistake) {
+    return mistake.what();
+  }
+  return "nothing was refused";
+}
+
+TEST(WholeFile, ThatDoesNotFitLeavesTheOldOneAndNothingElse) {
+  const Folder folder;
+  const fs::path old = folder.write("old.csv", "old");
+  for (const std::size_t count : {1000, 1000000}) {  // noticed when the file is closed, and while it is written
+    EXPECT_TRUE(holds(refusalOfWriting(old, count), "File too large")) << refusalOfWriting(old, count);
+    EXPECT_TRUE(holds(refusalOfWriting(folder / "new.csv", count), "File too large"));
+  }
+  EXPECT_EQ(contentsOf(old), "old");
+  EXPECT_EQ(folder.fileCount(), 1U);
+  writeWholeFile(old, std::string(1000, 'x'));
+  EXPECT_EQ(contentsOf(old), std::string(1000, 'x'));
+}
+
+TEST(WholeFile, MayHaveTheLongestName) {
+  const Folder folder;
+  const fs::path longest = folder / (std::string(251, 'n') + ".csv");
+  writeWholeFile(longest, "new");
+  EXPECT_EQ(contentsOf(longest), "new");
 }
 
 }  // namespace
