@@ -147,7 +147,7 @@ class Charting {
     if (options_.scene.precision) plan.precisions = {scene_.precision};
     plan.runBudget = budget();
     plan.lowestError = range ? range->lowest * reference.size : 0;
-    if (options_.quick) plan.fewestRepeats = 2, plan.repeatSeconds = 0.03;
+    if (options_.quick) plan.fewestRepeats = 2, plan.repeatSeconds = 0.03, plan.roundsBudget = 5;
     plan.threads = threads_;
     plan.clock = [] {
       return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

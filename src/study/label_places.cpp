@@ -10,7 +10,7 @@ namespace tyg {
 namespace {
 
 constexpr double kGap = 26;  // pixels between a point and its label
-constexpr double kOverlapCost = 1e5, kOutsideCost = 1e6, kLineCost = 60;
+constexpr double kOverlapCost = 1e5, kOutsideCost = 1e6, kLineCost = 120;
 
 PixelBox boxAt(double left, double centre, const WantedLabel& label) {
   return {left, left + label.width, centre - label.height / 2, centre + label.height / 2};

@@ -69,11 +69,14 @@ class ReferenceMaker {
   void askSecondOpinion() {
     const Method& method = findMethod("rk4");
     const double interval = times_.front(), limit = restLatticeLimit(reference_.scene, method);
-    constexpr double kFirstOfLimit = 0.25, kWithoutLimit = 64, kMostRefinement = 16;
+    constexpr double kFirstOfLimit = 0.25, kWithoutLimit = 64, kMostRefinement = 64;
     const double first = limit > 0 ? std::ceil(interval / (kFirstOfLimit * limit)) : kWithoutLimit;
     const double roughly = disagreementAt(first, kFirstTryShare);
-    const double wanted = std::pow(roughly / (kReferenceTolerance / 2 * reference_.size), 1.0 / method.order);
-    const double refinement = roughly >= 0 ? std::clamp(std::ceil(wanted), 2.0, kMostRefinement) : kMostRefinement;
+    // What the cloth itself amplifies is not a fault of the step.
+    const double amplified = std::clamp(std::ranges::max(reference_.amplification), 1.0, kTwinFarthest / kTwinDistance);
+    const double wanted = amplified * kReferenceTolerance / 2 * reference_.size;
+    const double ratio = roughly >= 0 ? std::pow(roughly / wanted, 1.0 / method.order) : kMostRefinement / 4;
+    const double refinement = std::clamp(std::ceil(ratio), 2.0, kMostRefinement);
     disagreementAt(first * refinement, 1 - done_);
   }
 

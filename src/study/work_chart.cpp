@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kWidth = ChartCanvas::kWidth, kHeight = ChartCanvas::kHeight;
 constexpr double kArrow = 42, kCharacter = 14.2, kBeside = 110;  // pixels
-constexpr const char *kGrey = "#666666", *kInk = "#222222";
+constexpr const char *kGrey = "#666666", *kInk = "#222222", *kSpatial = "#A03000";
 
 double screenX(double pixels) { return pixels / kWidth; }
 double screenY(double pixels) { return 1 - pixels / kHeight; }
@@ -177,24 +177,31 @@ class Script {
     level(chart_.floorOfFloat / chart_.size, seconds ? "floor of float" : "", kGrey, 3);
     level(chart_.floorOfDouble / chart_.size, seconds ? "floor of double" : "", kGrey, 3);
     if (chart_.spatial) {
-      const std::string grid = std::to_string(chart_.spatial->columns) + "x" + std::to_string(chart_.spatial->rows);
-      level(chart_.spatial->distance / chart_.size,
-            seconds ? "the same cloth as " + grid + " is this far away: nobody sees smaller errors" : "", "#A03000", 2);
+      level(chart_.spatial->distance / chart_.size, "", kSpatial, 2);
+      if (!seconds) spatialText(panel);
     }
-    const double line = seconds ? 1 : 60;
-    if (panel.x.place(line) > 0 && panel.x.place(line) < 1) {
-      out_ << "  set arrow from first " << line << ",graph 0 to first " << line << ",graph " << 1 - ErrorAxis::kStrip
-           << " nohead lw 2.5 dt 4 lc rgb '" << kInk << "' back\n  set label '"
-           << (seconds ? "real time: 16.7 ms for a frame of 60 Hz" : "one evaluation for a frame of 60 Hz")
-           << "' at first " << line
-           << ",graph 0.02 rotate by 90 left offset -1.3,0 font sprintf(',%g', (kind eq 'svg' ? 23 : 17) * 0.8)"
-           << " textcolor rgb '" << kInk << "' front\n";
-    }
+    if (seconds) realTime(panel);
+  }
+
+  /// Above the line's right end, where curves of force evaluations are seldom.
+  void spatialText(const ChartPanel& panel) {
+    const std::string grid = std::to_string(chart_.spatial->columns) + "x" + std::to_string(chart_.spatial->rows);
+    const double y = pixelY(error_, chart_.spatial->distance / chart_.size) - 18;
+    const std::string text = "as " + grid + " this cloth is this far away: smaller errors are not seen";
+    textAt(text, panel.right, y, "right", kSpatial, 0.8);
+  }
+
+  void realTime(const ChartPanel& panel) {
+    if (panel.x.place(1) <= 0 || panel.x.place(1) >= 1) return;
+    out_ << "  set arrow from first 1,graph 0 to first 1,graph " << 1 - ErrorAxis::kStrip
+         << " nohead lw 2.5 dt 4 lc rgb '" << kInk
+         << "' back\n  set label 'real time: 16.7 ms for a frame of 60 Hz' at first 1,graph 0.02 rotate by 90 left "
+         << "offset -1.3,0 font sprintf(',%g', (kind eq 'svg' ? 23 : 17) * 0.8) textcolor rgb '" << kInk << "' front\n";
   }
 
   /// Lines that fall as fast as errors of order 1, 2 and 4 do, in the lower left corner.
   void slopes(const ChartPanel& panel) {
-    const double x0 = 0.05, y0 = 0.26, fall = 1.5;  // panel fractions; decades
+    const double x0 = 0.05, y0 = 0.2, fall = 1;  // panel fractions; decades
     const double xDecades = std::log10(panel.x.high / panel.x.low), yDecades = std::log10(error_.y.high / error_.y.low);
     for (const int order : {1, 2, 4}) {
       const double x1 = x0 + fall / order / xDecades, y1 = y0 - fall / yDecades;
@@ -228,8 +235,21 @@ class Script {
       shown.push_back(method);
       wanted.push_back({{at.x + kArrow - 10, at.y}, kCharacter * double(method.size()), 34});
     }
+    std::vector<PixelBox> taken;
+    if (panel.work == ChartPanel::Work::Seconds) {
+      const double x = pixelX(panel, 1);  // the line of real time and its text
+      lines.push_back({{x, ChartCanvas::kTop}, {x, ChartCanvas::kBottom}});
+      taken.push_back({x - 34, x + 4, ChartCanvas::kBottom - 410, ChartCanvas::kBottom});
+    } else if (chart_.spatial) {
+      const double y = pixelY(error_, chart_.spatial->distance / chart_.size);
+      taken.push_back({panel.right - 660, panel.right, y - 34, y + 2});
+    }
+    for (const double floor : {chart_.floorOfFloat, chart_.floorOfDouble}) {
+      const double y = pixelY(error_, floor / chart_.size);
+      lines.push_back({{panel.left, y}, {panel.right, y}});
+    }
     const PixelBox bounds{panel.left, panel.right + kBeside, ChartCanvas::kTop + 60, ChartCanvas::kBottom - 5};
-    const std::vector<PixelBox> boxes = placeLabels(wanted, lines, {}, bounds);
+    const std::vector<PixelBox> boxes = placeLabels(wanted, lines, taken, bounds);
     for (std::size_t k = 0; k < shown.size(); ++k) nameAt(boxes[k], wanted[k].at, shown[k]);
     failedOnes(panel);
   }
@@ -249,7 +269,7 @@ class Script {
   /// Methods without a curve are named beside the strip of failures.
   void failedOnes(const ChartPanel& panel) {
     double y = ChartCanvas::kTop + ErrorAxis::kStrip / 2 * (ChartCanvas::kBottom - ChartCanvas::kTop);
-    textAt("failed", panel.left + 12, y, "left", kGrey, 0.8);
+    textAt("failed:", panel.left, ChartCanvas::kTop - 18, "left", kGrey, 0.8);
     for (const std::string& method : methods_) {
       if (endOfCurve(chart_, method) != nullptr) continue;
       textAt(method, panel.right + 10, y, "left", lookOf(method).colour, 1);

@@ -122,10 +122,11 @@ class StudyMaker {
     if (row.status == RowStatus::TooSlow) return true;
     if (row.status != RowStatus::Ok) return false;
     if (row.rmsError < std::max(row.floor, plan_.lowestError)) return true;
-    // Rounding, not the method, is what is left where a finer rung gains nothing near the floor.
+    // Rounding, not the method, is what is left where two finer rungs gain nothing near the floor.
     constexpr double kNearTheFloor = 1000, kNoGain = 0.7;
-    const bool near = row.rmsError < kNearTheFloor * row.floor;
-    return near && rungs > 1 && row.rmsError > kNoGain * runs_[runs_.size() - 2].row.rmsError;
+    if (rungs < 3 || !(row.rmsError < kNearTheFloor * row.floor)) return false;
+    const double before = runs_[runs_.size() - 3].row.rmsError, between = runs_[runs_.size() - 2].row.rmsError;
+    return between > kNoGain * before && row.rmsError > kNoGain * before;
   }
 
   [[nodiscard]] bool wantsRepeat(const Timed& run) const {
@@ -145,10 +146,12 @@ class StudyMaker {
       expected += std::max((plan_.fewestRepeats - 1) * run->row.seconds,
                            std::min(plan_.repeatSeconds, (kMostRepeats - 1) * run->row.seconds));
     }
+    expected = std::min(expected, plan_.roundsBudget);
+    const double start = plan_.clock();
     for (bool any = true; any && !study_.stopped;) {
       any = false;
       for (Timed* run : order) {
-        if (study_.stopped || !wantsRepeat(*run)) continue;
+        if (study_.stopped || !wantsRepeat(*run) || plan_.clock() - start > plan_.roundsBudget) continue;
         any = true;
         const double before = run->spent;
         time(*run);
