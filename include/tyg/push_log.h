@@ -16,23 +16,23 @@ struct LogEvent {
   enum class Kind { Push, Method, Step };
   std::int64_t tick = 0;
   Kind kind = Kind::Push;
-  int particle = 0;         ///< Push
-  Vec3 force{};             ///< Push, N
-  int ticks = 0;            ///< Push, how long
-  std::string method{};     ///< Method
-  double dt = 0;            ///< Step, s
+  int particle = 0;      ///< Push
+  Vec3 force{};          ///< Push, N
+  int ticks = 0;         ///< Push, how long
+  std::string method{};  ///< Method
+  double dt = 0;         ///< Step, s
   bool operator==(const LogEvent&) const = default;
 };
 
 /// The deeds in order, and what they were done to.
 struct PushLog {
-  std::string scene;         ///< built-in name or path
+  std::string scene;  ///< built-in name or path
   int columns = 0, rows = 0;
-  std::string integrator;    ///< at the start
-  double dt = 0;             ///< s, at the start
+  std::string integrator;  ///< at the start
+  double dt = 0;           ///< s, at the start
   Precision precision = Precision::Double;
-  std::int64_t ticks = 0;    ///< length of the run
-  std::string hash;          ///< of the state at the end, hexadecimal; empty where nobody asked
+  std::int64_t ticks = 0;  ///< length of the run
+  std::string hash;        ///< of the state at the end, hexadecimal; empty where nobody asked
   std::vector<LogEvent> events;
   bool operator==(const PushLog&) const = default;
 };

@@ -22,8 +22,8 @@ struct Vec3 {
   bool operator==(const Vec3&) const = default;
 };
 
-enum class Start { Hanging, Flat };        ///< in the x-y plane, or in the x-z plane
-enum class Damping { Relative, Axial };    ///< against the ends' relative velocity, or its part along the spring
+enum class Start { Hanging, Flat };      ///< in the x-y plane, or in the x-z plane
+enum class Damping { Relative, Axial };  ///< against the ends' relative velocity, or its part along the spring
 enum class Precision { Float, Double };
 
 /// One family of springs. A family with neither stiffness nor damping is not part of the model.
@@ -66,11 +66,11 @@ struct Scene {
   std::string title;  ///< a few words
   std::string shows;  ///< one sentence: what a person will see
 
-  int columns = 1, rows = 1;   ///< 1..kLargestCount each
-  double spacing = 1;          ///< m between neighbours at rest, > 0
-  double particleMass = 1;     ///< kg each, > 0 (worked out from area_density where the file gives that)
+  int columns = 1, rows = 1;  ///< 1..kLargestCount each
+  double spacing = 1;         ///< m between neighbours at rest, > 0
+  double particleMass = 1;    ///< kg each, > 0 (worked out from area_density where the file gives that)
   Start start = Start::Hanging;
-  std::vector<Place> pins;     ///< held at their start positions
+  std::vector<Place> pins;  ///< held at their start positions
 
   Damping damping = Damping::Relative;
   SpringFamily structural, shear, bend;
@@ -81,10 +81,10 @@ struct Scene {
   std::vector<Displacement> displacements;
   std::vector<Push> pushes;
 
-  double duration = 1;         ///< s, > 0
-  std::string integrator;      ///< a registered method's name
-  double dt = 1e-3;            ///< s, > 0; fixed-step methods and the viewer's tick
-  double tolerance = 1e-4;     ///< m, > 0; adaptive methods
+  double duration = 1;      ///< s, > 0
+  std::string integrator;   ///< a registered method's name
+  double dt = 1e-3;         ///< s, > 0; fixed-step methods and the viewer's tick
+  double tolerance = 1e-4;  ///< m, > 0; adaptive methods
   Precision precision = Precision::Double;
   bool operator==(const Scene&) const = default;
 };
@@ -105,9 +105,9 @@ struct BuiltinScene {
 /// All built-in scenes, the default (`curtain`) first, the others by name.
 std::span<const BuiltinScene> builtinScenes();
 
-/// The same cloth on another grid: spacing = larger side / (larger count - 1), particle mass and drag = the sheet's total
-/// over the new count, [column, row] places scale with the sheet and are rounded; ks, kd and pushes stay.
-/// Throws InputError where a count is outside 1..kLargestCount or the cloth has no extent to keep.
+/// The same cloth on another grid: spacing = larger side / (larger count - 1), particle mass and drag = the sheet's
+/// total over the new count, [column, row] places scale with the sheet and are rounded; ks, kd and pushes stay. Throws
+/// InputError where a count is outside 1..kLargestCount or the cloth has no extent to keep.
 Scene withSheet(Scene scene, int columns, int rows);
 
 }  // namespace tyg

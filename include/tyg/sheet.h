@@ -15,7 +15,7 @@ struct Sheet {
   double spacing = 1;       ///< m
   double particleMass = 1;  ///< kg
   Start start = Start::Hanging;
-  std::vector<int> pins;    ///< indices of the pinned particles, ascending, each once
+  std::vector<int> pins;  ///< indices of the pinned particles, ascending, each once
 
   [[nodiscard]] int count() const { return columns * rows; }
   /// The larger of (columns-1)*spacing and (rows-1)*spacing, m; spacing itself for a single particle.

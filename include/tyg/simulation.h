@@ -22,12 +22,12 @@ std::string_view nameOf(Status status);
 /// What a run keeps account of, J. Kinetic + elastic + gravitational + dissipated - work keeps its start value.
 struct Ledger {
   double kinetic = 0, elastic = 0;
-  double gravitational = 0;     ///< zero at the start
-  double work = 0;              ///< done by pushes: force times the distance moved, exact
-  double dissipated = 0;        ///< by damping and drag; only with Settings::ledger
-  double scale = 0;             ///< S of the alarm: the run's own measure of a large energy
-  double drift = 0;             ///< change of the sum since the start as a fraction of scale; only with Settings::ledger
-  double maxStretch = 0;        ///< largest spring elongation over the run, fraction of its rest length
+  double gravitational = 0;  ///< zero at the start
+  double work = 0;           ///< done by pushes: force times the distance moved, exact
+  double dissipated = 0;     ///< by damping and drag; only with Settings::ledger
+  double scale = 0;          ///< S of the alarm: the run's own measure of a large energy
+  double drift = 0;          ///< change of the sum since the start as a fraction of scale; only with Settings::ledger
+  double maxStretch = 0;     ///< largest spring elongation over the run, fraction of its rest length
 };
 
 /// What a caller may ask of a simulation besides its scene.
@@ -55,8 +55,8 @@ class Simulation {
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
 
-  /// Steps until `time` (s), which is met exactly, as are the edges of pushes on the way. Returns early when the alarm goes
-  /// (unless keepGoing) or the observer says stop.
+  /// Steps until `time` (s), which is met exactly, as are the edges of pushes on the way. Returns early when the alarm
+  /// goes (unless keepGoing) or the observer says stop.
   void advanceTo(double time);
   /// Advances by exactly one tick of dt; a tick is cut where a scene's push begins or ends inside it.
   void tick();
@@ -72,17 +72,17 @@ class Simulation {
   /// Throws InputError where the log does not fit this simulation.
   void replay(const PushLog& log, std::span<const Method> methods);
 
-  [[nodiscard]] double time() const;        ///< s
-  [[nodiscard]] std::int64_t ticks() const; ///< calls of tick() so far
-  [[nodiscard]] double dt() const;          ///< s, as asked for
-  [[nodiscard]] double largestStep() const; ///< s, really taken
+  [[nodiscard]] double time() const;         ///< s
+  [[nodiscard]] std::int64_t ticks() const;  ///< calls of tick() so far
+  [[nodiscard]] double dt() const;           ///< s, as asked for
+  [[nodiscard]] double largestStep() const;  ///< s, really taken
   [[nodiscard]] std::int64_t steps() const;
   [[nodiscard]] std::int64_t forceEvaluations() const;
   [[nodiscard]] int threads() const;
   [[nodiscard]] const Scene& scene() const;
   [[nodiscard]] const Sheet& sheet() const;
   [[nodiscard]] const Method& method() const;
-  [[nodiscard]] const PushLog& log() const; ///< every push and change since the start
+  [[nodiscard]] const PushLog& log() const;  ///< every push and change since the start
 
   [[nodiscard]] Vec3 position(int particle) const;  ///< m
   [[nodiscard]] Vec3 velocity(int particle) const;  ///< m/s

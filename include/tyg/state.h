@@ -11,8 +11,8 @@
 
 namespace tyg {
 
-/// Where particle (column, row) lies in a plane: row * stride + column. Rows are padded to whole vectors, two ghost rows
-/// follow the last one; ghosts hold finite numbers, carry no force and never move.
+/// Where particle (column, row) lies in a plane: row * stride + column. Rows are padded to whole vectors, two ghost
+/// rows follow the last one; ghosts hold finite numbers, carry no force and never move.
 struct Layout {
   static constexpr int kLanes = 16;  ///< rows are computed in multiples of this many particles
   int columns = 1, rows = 1;
@@ -21,9 +21,7 @@ struct Layout {
 
   Layout() = default;
   explicit Layout(const Sheet& sheet);
-  [[nodiscard]] std::ptrdiff_t at(int particle) const {
-    return (particle / columns) * stride + particle % columns;
-  }
+  [[nodiscard]] std::ptrdiff_t at(int particle) const { return (particle / columns) * stride + particle % columns; }
   bool operator==(const Layout&) const = default;
 };
 

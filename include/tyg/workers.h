@@ -16,8 +16,8 @@ class Workers {
 
   [[nodiscard]] int threads() const { return threads_; }
 
-  /// Calls `work(first, last, thread)` for contiguous bands that together cover [0, rows), thread by thread, and returns
-  /// when all are done. Allocates nothing.
+  /// Calls `work(first, last, thread)` for contiguous bands that together cover [0, rows), thread by thread, and
+  /// returns when all are done. Allocates nothing.
   template <class Work>
   void forBands(int rows, const Work& work) {
     if (threads_ == 1) {

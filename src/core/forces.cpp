@@ -39,7 +39,8 @@ AlignedVector<T> columnMask(const Layout& layout, int distance) {
 template <class T>
 AlignedVector<T> maskOfFree(const Layout& layout, const Sheet& sheet) {
   AlignedVector<T> mask(static_cast<std::size_t>(layout.plane));
-  for (int particle = 0; particle < sheet.count(); ++particle) mask[static_cast<std::size_t>(layout.at(particle))] = T(1);
+  for (int particle = 0; particle < sheet.count(); ++particle)
+    mask[static_cast<std::size_t>(layout.at(particle))] = T(1);
   for (const int pin : sheet.pins) mask[static_cast<std::size_t>(layout.at(pin))] = T(0);
   return mask;
 }
@@ -84,15 +85,13 @@ struct Forces<T>::Kernel {
 
 template <class T>
 Forces<T>::Forces(const Scene& scene, const Sheet& sheet, Workers& workers)
-    : layout_(sheet),
-      workers_(workers),
-      inverseMass_(1.0 / sheet.particleMass),
-      kernel_(std::make_unique<Kernel>()) {
+    : layout_(sheet), workers_(workers), inverseMass_(1.0 / sheet.particleMass), kernel_(std::make_unique<Kernel>()) {
   Kernel& k = *kernel_;
   k.hasRight = columnMask<T>(layout_, 1);
   k.hasRight2 = columnMask<T>(layout_, 2);
   k.isFree = maskOfFree<T>(layout_, sheet);
-  k.scratch.assign(static_cast<std::size_t>(workers.threads() * kGroup), AlignedVector<T>(rowScratchSize(layout_.stride)));
+  k.scratch.assign(static_cast<std::size_t>(workers.threads() * kGroup),
+                   AlignedVector<T>(rowScratchSize(layout_.stride)));
   k.rowEnergies.resize(static_cast<std::size_t>(layout_.rows));
   k.particleMass = sheet.particleMass;
 

@@ -25,11 +25,11 @@ class Lattice {
   [[nodiscard]] bool wide() const { return wide_; }
   [[nodiscard]] bool tall() const { return tall_; }
 
-  /// The modes of the wave with phase qx from column to column and qy from row to row, each in [0, pi]. In plane two; out
-  /// of plane springs at rest do not pull and only damping is left. Under the axial law damping and stiffness need not
-  /// share their eigenvectors: each in-plane mode then comes twice, with the largest damping of its wave, which errs on
-  /// the safe side where damping costs steps, and with the damping of its own direction, which is exact where the
-  /// eigenvectors agree and counts where damping is what keeps a method stable.
+  /// The modes of the wave with phase qx from column to column and qy from row to row, each in [0, pi]. In plane two;
+  /// out of plane springs at rest do not pull and only damping is left. Under the axial law damping and stiffness need
+  /// not share their eigenvectors: each in-plane mode then comes twice, with the largest damping of its wave, which
+  /// errs on the safe side where damping costs steps, and with the damping of its own direction, which is exact where
+  /// the eigenvectors agree and counts where damping is what keeps a method stable.
   [[nodiscard]] std::array<Mode, 5> modes(double qx, double qy) const;
 
  private:

@@ -80,8 +80,8 @@ class MovingSheetOf final : public MovingSheet {
 
 }  // namespace
 
-std::unique_ptr<MovingSheet> makeMovingSheet(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers,
-                                   bool trackDissipation) {
+std::unique_ptr<MovingSheet> makeMovingSheet(const Scene& scene, const Sheet& sheet, const Method& method,
+                                             Workers& workers, bool trackDissipation) {
   if (scene.precision == Precision::Float) {
     return std::make_unique<MovingSheetOf<float>>(scene, sheet, method, workers, trackDissipation);
   }

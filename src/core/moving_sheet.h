@@ -41,7 +41,7 @@ class MovingSheet {
 };
 
 /// A scene from its displaced start shape. The references must outlive it.
-std::unique_ptr<MovingSheet> makeMovingSheet(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers,
-                                   bool trackDissipation);
+std::unique_ptr<MovingSheet> makeMovingSheet(const Scene& scene, const Sheet& sheet, const Method& method,
+                                             Workers& workers, bool trackDissipation);
 
 }  // namespace tyg

@@ -1,6 +1,6 @@
-// Energies and damping power of one row, summed in one fixed order whatever the vector width: eight running sums, particle
-// by particle, added pairwise at the end. In double also for float states: sums of many small terms decide the alarm.
-// Included by row_kernel_level.cpp alone; everything here is private to one vector level.
+// Energies and damping power of one row, summed in one fixed order whatever the vector width: eight running sums,
+// particle by particle, added pairwise at the end. In double also for float states: sums of many small terms decide the
+// alarm. Included by row_kernel_level.cpp alone; everything here is private to one vector level.
 #pragma once
 
 #include "core/row_kernel.h"
@@ -76,7 +76,8 @@ RowEnergy energyOfRow(const EnergyRow<T>& given) {
                   return squared({double(v[k]), double(v[plane + k]), double(v[2 * plane + k])});
                 });
   sum.fallen = sumOf(in.columns, [&](int k) {
-    return (in.weight[0] * double(x[k]) + in.weight[1] * double(x[plane + k])) + in.weight[2] * double(x[2 * plane + k]);
+    return (in.weight[0] * double(x[k]) + in.weight[1] * double(x[plane + k])) +
+           in.weight[2] * double(x[2 * plane + k]);
   });
   forSpringRuns(in, [&](const typename EnergyRow<T>::Family& family, std::ptrdiff_t a, std::ptrdiff_t b, int n) {
     if (family.ks > 0 || family.kd > 0) sum.elastic += elasticOfRun(in, family, a, b, n, sum.maxStretch);

@@ -2,12 +2,11 @@
 //
 // Particle (i, row) owns six springs: right and down (structural), down-right and, for its right neighbour, down-left
 // (shear), two to the right and two down (bend). `stageSprings` computes them along the row from contiguous loads; what
-// the other ends feel is staged: `right` and `right2` for neighbours in the same row, `below` (a ring of three rows) and
-// `diagonal` for rows to come. `finishForces` then adds own forces and what neighbours have left, and stores the sum or
-// moves the particle with it: no spring owned further on looks back at this row, so that is safe in place. No load or
-// store is scattered and no iteration depends on another: the compiler vectorises both, and every width gives the same
-// bits.
-// Included by row_kernel_level.cpp alone; everything here is private to one vector level.
+// the other ends feel is staged: `right` and `right2` for neighbours in the same row, `below` (a ring of three rows)
+// and `diagonal` for rows to come. `finishForces` then adds own forces and what neighbours have left, and stores the
+// sum or moves the particle with it: no spring owned further on looks back at this row, so that is safe in place. No
+// load or store is scattered and no iteration depends on another: the compiler vectorises both, and every width gives
+// the same bits. Included by row_kernel_level.cpp alone; everything here is private to one vector level.
 #pragma once
 
 #include "core/row_kernel.h"
@@ -30,13 +29,21 @@ struct Vec {
   T x, y, z;
 };
 template <class T>
-TYG_INLINE Vec<T> operator+(const Vec<T>& a, const Vec<T>& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+TYG_INLINE Vec<T> operator+(const Vec<T>& a, const Vec<T>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
 template <class T>
-TYG_INLINE Vec<T> operator-(const Vec<T>& a, const Vec<T>& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+TYG_INLINE Vec<T> operator-(const Vec<T>& a, const Vec<T>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
 template <class T>
-TYG_INLINE Vec<T> operator*(T s, const Vec<T>& a) { return {s * a.x, s * a.y, s * a.z}; }
+TYG_INLINE Vec<T> operator*(T s, const Vec<T>& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
 template <class T>
-TYG_INLINE T dot(const Vec<T>& a, const Vec<T>& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+TYG_INLINE T dot(const Vec<T>& a, const Vec<T>& b) {
+  return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
 
 template <class T>
 TYG_INLINE Vec<T> load(const T* planes, std::ptrdiff_t plane, std::ptrdiff_t i) {
@@ -51,8 +58,8 @@ TYG_INLINE void store(T* planes, std::ptrdiff_t plane, std::ptrdiff_t i, const V
 template <class T>
 constexpr T kTiny = sizeof(T) == sizeof(float) ? T(1e-30F) : T(1e-300);
 
-/// Force on the particle at `a` from the spring to the one at `b` (model equation: spring part plus damping); `exists` is
-/// 1 or 0.
+/// Force on the particle at `a` from the spring to the one at `b` (model equation: spring part plus damping); `exists`
+/// is 1 or 0.
 template <DampingTerm damping, class T>
 TYG_INLINE Vec<T> springForce(const RowTask<T>& task, const SpringLaw<T>& law, T exists, std::ptrdiff_t a,
                               std::ptrdiff_t b) {
@@ -79,9 +86,9 @@ constexpr std::ptrdiff_t kStage = 160;  ///< from one plane of a block's staged 
 /// Where a row's forces are staged, as pointers to planes; all within the task's scratch memory.
 template <class T>
 struct Staged {
-  T *own, *right, *right2;         ///< of a block, planes kStage apart, by place less the block's begin
-  T *now, *next, *afterNext;       ///< for this row, the next, and the one after; planes `stride` apart
-  T *diagonal, *diagonalNext;      ///< on the particle down to the right of each, from the last row and from this one
+  T *own, *right, *right2;     ///< of a block, planes kStage apart, by place less the block's begin
+  T *now, *next, *afterNext;   ///< for this row, the next, and the one after; planes `stride` apart
+  T *diagonal, *diagonalNext;  ///< on the particle down to the right of each, from the last row and from this one
 };
 
 template <class T>
@@ -90,9 +97,14 @@ TYG_INLINE Staged<T> stagedOf(const RowTask<T>& task, int row, std::ptrdiff_t be
   T* const ring = task.scratch;
   T* const diagonals = ring + 3 * size;  // ghosts before it stay 0: the place to the left of a row holds nothing
   T* const block = diagonals + 2 * size + kPad - begin;
-  return {block, block + 3 * kStage, block + 6 * kStage,
-          ring + row % 3 * size, ring + (row + 1) % 3 * size, ring + (row + 2) % 3 * size,
-          diagonals + row % 2 * size, diagonals + (row + 1) % 2 * size};
+  return {block,
+          block + 3 * kStage,
+          block + 6 * kStage,
+          ring + row % 3 * size,
+          ring + (row + 1) % 3 * size,
+          ring + (row + 2) % 3 * size,
+          diagonals + row % 2 * size,
+          diagonals + (row + 1) % 2 * size};
 }
 
 /// The six springs of each particle of a block.

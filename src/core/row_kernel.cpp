@@ -3,7 +3,7 @@
 
 namespace tyg {
 
-#define TYG_DECLARE(level)                                  \
+#define TYG_DECLARE(level)                                    \
   extern const RowKernels<float> kRowKernels_##level##_float; \
   extern const RowKernels<double> kRowKernels_##level##_double;
 TYG_DECLARE(baseline)
@@ -36,18 +36,18 @@ VectorLevel bestVectorLevel() {
 void useVectorLevel(std::optional<VectorLevel> level) { levelAskedFor() = level; }
 
 #if TYG_X86_LEVELS
-#define TYG_CHOOSE(number)                                                              \
-  template <>                                                                           \
-  const RowKernels<number>& rowKernels() {                                              \
-    static const RowKernels<number>* const kLevels[] = {                                \
-        &kRowKernels_baseline_##number, &kRowKernels_v3_##number, &kRowKernels_v4_##number}; \
-    return *kLevels[int(levelAskedFor().value_or(bestVectorLevel()))];                  \
+#define TYG_CHOOSE(number)                                                                                        \
+  template <>                                                                                                     \
+  const RowKernels<number>& rowKernels() {                                                                        \
+    static const RowKernels<number>* const kLevels[] = {&kRowKernels_baseline_##number, &kRowKernels_v3_##number, \
+                                                        &kRowKernels_v4_##number};                                \
+    return *kLevels[int(levelAskedFor().value_or(bestVectorLevel()))];                                            \
   }
 #else
-#define TYG_CHOOSE(number)                  \
-  template <>                               \
-  const RowKernels<number>& rowKernels() {  \
-    return kRowKernels_baseline_##number;   \
+#define TYG_CHOOSE(number)                 \
+  template <>                              \
+  const RowKernels<number>& rowKernels() { \
+    return kRowKernels_baseline_##number;  \
   }
 #endif
 TYG_CHOOSE(float)

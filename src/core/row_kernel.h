@@ -45,21 +45,21 @@ struct RowTask {
   int rows = 0;   ///< of the sheet
   std::ptrdiff_t stride = 0, plane = 0;
   const T* position = nullptr;
-  const T* velocity = nullptr;     ///< the one that damping and drag see
-  const T* hasRight = nullptr;     ///< per column: 1 where column + 1 exists, else 0
-  const T* hasRight2 = nullptr;    ///< per column: 1 where column + 2 exists, else 0
-  const T* isFree = nullptr;       ///< per particle: 0 where pinned or a ghost, else 1
+  const T* velocity = nullptr;   ///< the one that damping and drag see
+  const T* hasRight = nullptr;   ///< per column: 1 where column + 1 exists, else 0
+  const T* hasRight2 = nullptr;  ///< per column: 1 where column + 2 exists, else 0
+  const T* isFree = nullptr;     ///< per particle: 0 where pinned or a ghost, else 1
   SpringLaw<T> structural, shear, bend;
-  T weight[3] = {};                ///< gravity on one particle, N
-  T drag = 0;                      ///< N s/m
+  T weight[3] = {};  ///< gravity on one particle, N
+  T drag = 0;        ///< N s/m
 
-  T* force = nullptr;              ///< Store: where to
-  T* moving = nullptr;             ///< other updates: the positions again, to be moved in place
-  T* kicked = nullptr;             ///< other updates: the velocities to be kicked in place
-  T* seen = nullptr;               ///< Leapfrog: the velocities again that damping and drag see
-  T step = 0, kick = 0;            ///< s; s/kg
+  T* force = nullptr;    ///< Store: where to
+  T* moving = nullptr;   ///< other updates: the positions again, to be moved in place
+  T* kicked = nullptr;   ///< other updates: the velocities to be kicked in place
+  T* seen = nullptr;     ///< Leapfrog: the velocities again that damping and drag see
+  T step = 0, kick = 0;  ///< s; s/kg
 
-  T* scratch = nullptr;            ///< rowScratchSize numbers, all 0 before the first row
+  T* scratch = nullptr;                          ///< rowScratchSize numbers, all 0 before the first row
   RowLoop<T> stage = nullptr, finish = nullptr;  ///< the loops that this scene and update need
 };
 /// Numbers of scratch memory that a pass over the rows needs.
@@ -90,8 +90,8 @@ struct EnergyRow {
 
 template <class T>
 struct RowKernels {
-  RowLoop<T> stage[8][3];                 ///< by families and damping term
-  RowLoop<T> finish[8][3][2];             ///< by families, update, and whether there is drag
+  RowLoop<T> stage[8][3];      ///< by families and damping term
+  RowLoop<T> finish[8][3][2];  ///< by families, update, and whether there is drag
   /// One row: stages its springs, and finishes it unless it only feeds the rows below.
   void (*row)(const RowTask<T>& task, int row, bool finish);
   RowEnergy (*energy)(const EnergyRow<T>&);

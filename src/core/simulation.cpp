@@ -23,7 +23,7 @@ Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z
 struct TimedPush {
   int particle = 0;
   Vec3 force;
-  double begin = 0, end = 0;              ///< s, of the scene
+  double begin = 0, end = 0;                ///< s, of the scene
   std::int64_t firstTick = 0, endTick = 0;  ///< by hand
   bool byHand = false;
   bool acting = false;
@@ -70,9 +70,12 @@ void refuseUnfitLog(const PushLog& log, const PushLog& own) {
 
 std::string_view nameOf(Status status) {
   switch (status) {
-    case Status::Ok: return "ok";
-    case Status::Unstable: return "unstable";
-    default: return "not-finite";
+    case Status::Ok:
+      return "ok";
+    case Status::Unstable:
+      return "unstable";
+    default:
+      return "not-finite";
   }
 }
 
@@ -116,8 +119,8 @@ struct Simulation::Body {
   std::function<bool()> observer;
   bool stopAsked = false;
 
-  Body(const Scene& wanted, const Method& method, const Settings& asked)
-      : scene(wanted),
+  Body(Scene wanted, const Method& method, const Settings& asked)
+      : scene(std::move(wanted)),
         sheet(makeSheet(scene)),
         settings(asked),
         workers(asked.threads > 0 ? asked.threads : defaultThreads(sheet.count())),
@@ -302,7 +305,8 @@ struct Simulation::Body {
   [[nodiscard]] const Method& replayMethod(std::string_view name) const {
     const auto found = std::find_if(replayMethods.begin(), replayMethods.end(),
                                     [&](const Method& method) { return method.name == name; });
-    if (found == replayMethods.end()) throw InputError("replay: found the unknown method \"" + std::string(name) + "\"");
+    if (found == replayMethods.end())
+      throw InputError("replay: found the unknown method \"" + std::string(name) + "\"");
     return *found;
   }
 
@@ -311,9 +315,15 @@ struct Simulation::Body {
     while (r.scriptNext < r.script.size() && r.script[r.scriptNext].tick <= r.ticks) {
       const LogEvent event = r.script[r.scriptNext++];
       switch (event.kind) {
-        case LogEvent::Kind::Push: push(event.particle, event.force, event.ticks); break;
-        case LogEvent::Kind::Method: useMethod(replayMethod(event.method)); break;
-        case LogEvent::Kind::Step: useStep(event.dt); break;
+        case LogEvent::Kind::Push:
+          push(event.particle, event.force, event.ticks);
+          break;
+        case LogEvent::Kind::Method:
+          useMethod(replayMethod(event.method));
+          break;
+        case LogEvent::Kind::Step:
+          useStep(event.dt);
+          break;
       }
     }
   }

@@ -6,15 +6,16 @@
 
 namespace tyg {
 
-/// Writes `bytes` to a temporary file beside `path` and renames it. Throws InputError where that cannot be done; whatever
-/// was at `path` before is then still there.
+/// Writes `bytes` to a temporary file beside `path` and renames it. Throws InputError where that cannot be done;
+/// whatever was at `path` before is then still there.
 void writeWholeFile(const std::filesystem::path& path, std::string_view bytes);
 
-/// Throws InputError where a file at `path` could not be written: to be called before anything is computed. Leaves no trace.
+/// Throws InputError where a file at `path` could not be written: to be called before anything is computed. Leaves no
+/// trace.
 void checkWritable(const std::filesystem::path& path);
 
-/// For results that another program or a library writes piece by piece: write to temporary(), then keep(). Without keep()
-/// the temporary file is removed again.
+/// For results that another program or a library writes piece by piece: write to temporary(), then keep(). Without
+/// keep() the temporary file is removed again.
 class WholeFile {
  public:
   explicit WholeFile(std::filesystem::path path);  ///< Throws InputError as checkWritable does
@@ -22,7 +23,7 @@ class WholeFile {
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
   [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_; }  ///< same folder and extension
-  void keep();  ///< Throws InputError
+  void keep();                                                                         ///< Throws InputError
 
  private:
   std::filesystem::path path_, temporary_;

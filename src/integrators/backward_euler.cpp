@@ -1,7 +1,8 @@
 // Backward Euler with one linearised solve (Baraff and Witkin, "Large steps in cloth simulation", 1998, eq. 6):
 //   (M - h dF/dv - h^2 dF/dx) dv = h (F + h dF/dx v);  v' = v + dv;  x' = x + h v'
-// A spring's stiffness matrix is ks (n n' + max(0, 1 - L0/|L|) (I - n n')): clamped, so that compressed springs keep the
-// system positive definite. Solved by conjugate gradients with 3x3 block Jacobi preconditioning, one block a particle.
+// A spring's stiffness matrix is ks (n n' + max(0, 1 - L0/|L|) (I - n n')): clamped, so that compressed springs keep
+// the system positive definite. Solved by conjugate gradients with 3x3 block Jacobi preconditioning, one block a
+// particle.
 #include <Eigen/Dense>
 
 #include "integrators/factories.h"

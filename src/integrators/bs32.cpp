@@ -9,13 +9,13 @@ namespace {
 struct Bs32Table {
   static constexpr int kStages = 4;
   static constexpr int kRoots = 2;  // step ~ error^-1/4
-  static constexpr double a[kStages][kStages] = {
+  static constexpr double kA[kStages][kStages] = {
       {},
       {1.0 / 2},
       {0, 3.0 / 4},
       {2.0 / 9, 1.0 / 3, 4.0 / 9},
   };
-  static constexpr double e[kStages] = {2.0 / 9 - 7.0 / 24, 1.0 / 3 - 1.0 / 4, 4.0 / 9 - 1.0 / 3, -1.0 / 8};
+  static constexpr double kE[kStages] = {2.0 / 9 - 7.0 / 24, 1.0 / 3 - 1.0 / 4, 4.0 / 9 - 1.0 / 3, -1.0 / 8};
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Dormand-Prince 5(4): fifth order with an embedded fourth-order estimate.
-// Coefficients: J. R. Dormand, P. J. Prince, "A family of embedded Runge-Kutta formulae", J. Comput. Appl. Math. 6 (1980)
-// 19-26, table 2.
+// Coefficients: J. R. Dormand, P. J. Prince, "A family of embedded Runge-Kutta formulae", J. Comput. Appl. Math. 6
+// (1980) 19-26, table 2.
 #include "integrators/embedded_rk.h"
 #include "integrators/factories.h"
 
@@ -10,7 +10,7 @@ namespace {
 struct Dopri54Table {
   static constexpr int kStages = 7;
   static constexpr int kRoots = 3;  // step ~ error^-1/8
-  static constexpr double a[kStages][kStages] = {
+  static constexpr double kA[kStages][kStages] = {
       {},
       {1.0 / 5},
       {3.0 / 40, 9.0 / 40},
@@ -19,8 +19,8 @@ struct Dopri54Table {
       {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
       {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84},
   };
-  static constexpr double e[kStages] = {71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
-                                        -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
+  static constexpr double kE[kStages] = {71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
+                                         -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
 };
 
 }  // namespace

@@ -15,7 +15,7 @@
 
 namespace tyg {
 
-/// `Table` has kStages, a[kStages][kStages], e[kStages] (constexpr doubles), and kRoots for the step control.
+/// `Table` has kStages, kA[kStages][kStages], kE[kStages] (constexpr doubles), and kRoots for the step control.
 template <class T, class Table>
 class EmbeddedRk final : public Integrator<T> {
  public:
@@ -51,7 +51,7 @@ class EmbeddedRk final : public Integrator<T> {
 
   /// Velocity of a stage; the first stage is the state itself.
   template <std::size_t j>
-  const T* stageVelocity(const State<T>& state) const {
+  [[nodiscard]] const T* stageVelocity(const State<T>& state) const {
     return j == 0 ? state.velocity.x() : velocity_[j].x();
   }
 
@@ -78,7 +78,7 @@ class EmbeddedRk final : public Integrator<T> {
   /// a_j k_j, or nothing at all where the table holds a zero.
   template <int i, std::size_t j>
   [[gnu::always_inline]] static void addTerm(T& sum, const T* k, std::ptrdiff_t n) {
-    if constexpr (Table::a[i][j] != 0) sum += T(Table::a[i][j]) * k[n];
+    if constexpr (Table::kA[i][j] != 0) sum += T(Table::kA[i][j]) * k[n];
   }
 
   template <int i, std::size_t... j>
@@ -101,7 +101,7 @@ class EmbeddedRk final : public Integrator<T> {
 
   void accept(Forces<T>& forces, State<T>& state, double h) {
     double power = 0;
-    for (int i = 0; i < kLast; ++i) power += Table::a[kLast][i] * power_[std::size_t(i)];
+    for (int i = 0; i < kLast; ++i) power += Table::kA[kLast][i] * power_[std::size_t(i)];
     forces.addDissipated(h * power);
     std::swap(state.position, stagePosition_);
     std::swap(state.velocity, velocity_[kLast]);
@@ -128,12 +128,12 @@ class EmbeddedRk final : public Integrator<T> {
 
   template <std::size_t j>
   [[gnu::always_inline]] static void addError(T& sum, const T* k, std::ptrdiff_t n) {
-    if constexpr (Table::e[j] != 0) sum += T(Table::e[j]) * k[n];
+    if constexpr (Table::kE[j] != 0) sum += T(Table::kE[j]) * k[n];
   }
 
   template <std::size_t... j>
-  T worstOf(const State<T>& state, T step, T kick, std::ptrdiff_t begin, std::ptrdiff_t end,
-            std::index_sequence<j...>) const {
+  [[nodiscard]] T worstOf(const State<T>& state, T step, T kick, std::ptrdiff_t begin, std::ptrdiff_t end,
+                          std::index_sequence<j...>) const {
     const T* const vs[] = {stageVelocity<j>(state)...};
     const T* const fs[] = {force_[j].x()...};
     T worst = 0;

@@ -1,6 +1,6 @@
 // Explicit Euler (Euler 1768): position and velocity both move with what they were at the start of the step.
-#include "integrators/factories.h"
 #include "core/field_ops.h"
+#include "integrators/factories.h"
 
 namespace tyg {
 namespace {

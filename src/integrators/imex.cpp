@@ -115,8 +115,8 @@ class Imex final : public Integrator<T> {
   Scene scene_;
   Sheet sheet_;
   VectorField<T> still_, force_;
-  std::vector<int> unknown_;             // by place: index of the unknown, or -1 at pins and ghosts
-  std::vector<std::ptrdiff_t> places_;   // by unknown: its place
+  std::vector<int> unknown_;            // by place: index of the unknown, or -1 at pins and ghosts
+  std::vector<std::ptrdiff_t> places_;  // by unknown: its place
   bool isDamped_ = false;
   Matrix damping_, mass_;
   Eigen::SimplicialLDLT<Matrix> factor_;

@@ -9,7 +9,8 @@
 namespace tyg {
 namespace {
 
-// name, label, scheme, order, evaluations per step and more of them at a start, adaptive, largest stable step of a mode and of a scene, makers
+// name, label, scheme, order, evaluations per step and more of them at a start, adaptive, largest stable step of a mode
+// and of a scene, makers
 // clang-format off
 constexpr std::array kMethods = {
     Method{"explicit-euler", "Explicit Euler", "x' = x + h v; v' = v + h a(x, v)",

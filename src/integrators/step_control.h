@@ -20,8 +20,8 @@ class StepControl {
     return 2 * proposal_ > most ? most / 2 : proposal_;
   }
 
-  /// Takes the ratio of a step of h and says whether the step counts. A step of a billionth of the first one always does:
-  /// what it then does to the cloth is the alarm's affair.
+  /// Takes the ratio of a step of h and says whether the step counts. A step of a billionth of the first one always
+  /// does: what it then does to the cloth is the alarm's affair.
   bool judge(double h, double ratio) {
     const double r = std::max(ratio, 1e-8);
     if (!(r <= 1) && h > smallest_) {

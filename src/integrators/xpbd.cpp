@@ -1,5 +1,5 @@
-// Extended position-based dynamics with small steps, one iteration each (Macklin, Mueller, Chentanez 2016; Macklin et al.,
-// "Small steps in physics simulation", 2019). Springs are compliant distance constraints, visited in index order:
+// Extended position-based dynamics with small steps, one iteration each (Macklin, Mueller, Chentanez 2016; Macklin et
+// al., "Small steps in physics simulation", 2019). Springs are compliant distance constraints, visited in index order:
 //   C = |L| - L0;  lambda = -C / (w1 + w2 + 1 / (ks h^2));  x1 += w1 lambda n;  x2 -= w2 lambda n;  v' = (x' - x) / h
 // Damping acts before, on the predicted velocities, as a pair impulse -h kd dv / (1 + h kd (w1 + w2)) per spring.
 #include <cmath>
@@ -68,8 +68,7 @@ class Xpbd final : public Integrator<T> {
   };
   static Vector between(const VectorField<T>& field, const ListedSpring& spring) {
     const T *x = field.x(), *y = field.y(), *z = field.z();
-    return {x[spring.first] - x[spring.second], y[spring.first] - y[spring.second],
-            z[spring.first] - z[spring.second]};
+    return {x[spring.first] - x[spring.second], y[spring.first] - y[spring.second], z[spring.first] - z[spring.second]};
   }
   static T dot(const Vector& a, const Vector& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
   /// first += w1 s a; second -= w2 s a.
