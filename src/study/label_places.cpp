@@ -10,7 +10,7 @@ namespace tyg {
 namespace {
 
 constexpr double kGap = 26;  // pixels between a point and its label
-constexpr double kOverlapCost = 1e5, kOutsideCost = 1e6, kLineCost = 120;
+constexpr double kOverlapCost = 1e5, kOutsideCost = 1e6, kLineCost = 120, kOrderCost = 100;
 
 PixelBox boxAt(double left, double centre, const WantedLabel& label) {
   return {left, left + label.width, centre - label.height / 2, centre + label.height / 2};
@@ -63,8 +63,17 @@ bool PixelBox::meetsLine(const Pixel& a, const Pixel& b) const {
 std::vector<PixelBox> placeLabels(const std::vector<WantedLabel>& wanted, const std::vector<std::vector<Pixel>>& lines,
                                   const std::vector<PixelBox>& taken, const PixelBox& bounds) {
   std::vector<PixelBox> placed, inTheWay = taken;
+  /// Labels beside each other stand in the order of their points.
+  const auto outOfOrder = [&](const PixelBox& box, const Pixel& at) {
+    int count = 0;
+    for (std::size_t k = 0; k < placed.size(); ++k) {
+      const bool beside = box.left < placed[k].right && placed[k].left < box.right;
+      if (beside && (at.y - wanted[k].at.y) * (box.top - placed[k].top) < 0) ++count;
+    }
+    return count;
+  };
   const auto cost = [&](const PixelBox& box, const Pixel& at) {
-    double sum = distanceCost(at, box);
+    double sum = distanceCost(at, box) + kOrderCost * outOfOrder(box, at);
     if (box.left < bounds.left || box.right > bounds.right || box.top < bounds.top || box.bottom > bounds.bottom) {
       sum += kOutsideCost;
     }

@@ -244,8 +244,10 @@ class Script {
       const double y = pixelY(error_, chart_.spatial->distance / chart_.size);
       taken.push_back({panel.right - 660, panel.right, y - 34, y + 2});
     }
-    for (const double floor : {chart_.floorOfFloat, chart_.floorOfDouble}) {
-      const double y = pixelY(error_, floor / chart_.size);
+    std::vector<double> levels{chart_.floorOfFloat, chart_.floorOfDouble};
+    if (chart_.spatial) levels.push_back(chart_.spatial->distance);
+    for (const double at : levels) {
+      const double y = pixelY(error_, at / chart_.size);
       lines.push_back({{panel.left, y}, {panel.right, y}});
     }
     const PixelBox bounds{panel.left, panel.right + kBeside, ChartCanvas::kTop + 60, ChartCanvas::kBottom - 5};

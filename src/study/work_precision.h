@@ -18,6 +18,7 @@ struct StudyPlan {
   double lowestError = 0;         ///< m; a ladder ends below it, and below the floor
   int fewestRepeats = 3;          ///< of each timing
   double repeatSeconds = 0.2;     ///< short runs are timed more often, until this much has gone into them
+  double roundsBudget = 50;       ///< s for all repeats together: no further run begins after it
   int threads = 0;                ///< as Settings::threads
   std::function<double()> clock;  ///< s, from any start
   /// Gets the fraction done now and then and may return false: the study then ends with the rows so far.
