@@ -31,7 +31,8 @@ endfunction()
 # The force kernel is compiled once per precision and vector level from one source; the program picks at start-up.
 function(tyg_row_kernels target)
   set(levels baseline)
-  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  # With sanitizers these files take half a minute each; one level shows what there is to see.
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT TYG_SANITIZE)
     list(APPEND levels v3 v4)
     target_compile_definitions(${target} PRIVATE TYG_X86_LEVELS=1)
   endif()
