@@ -20,11 +20,10 @@ std::ostringstream stream() {
 
 std::string amplificationText(const Reference& reference) {
   std::ostringstream text = stream();
-  const auto lost = std::ranges::find_if(reference.amplification, [](double a) { return std::isinf(a); });
+  const auto lost = std::ranges::find_if(reference.amplification, [](double a) { return a > Reference::kTwinLost; });
   if (lost != reference.amplification.end()) {
     const auto k = static_cast<std::size_t>(lost - reference.amplification.begin());
-    text << "a disturbance grows a million times by t = " << reference.motion.times[k]
-         << " s: try --horizon below that";
+    text << "a disturbance grows a million times by t = " << reference.motion.times[k] << " s";
   } else {
     const double most = std::ranges::max(reference.amplification);
     text << "a small disturbance " << (most > 1 ? "grows " : "shrinks, to at most ") << most << " times";
@@ -34,7 +33,7 @@ std::string amplificationText(const Reference& reference) {
 
 std::string winners(const WorkChart& chart, double error, Cost cost) {
   std::ostringstream text = stream();
-  const std::vector<Price> prices = pricesOf(chart.rows, error, chart.duration, cost);
+  const std::vector<Price> prices = pricesOf(chart.rows, error, cost);
   constexpr std::size_t kShown = 3;
   for (std::size_t k = 0; k < std::min(kShown, prices.size()); ++k) {
     const Price& price = prices[k];

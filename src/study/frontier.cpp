@@ -5,13 +5,13 @@
 
 namespace tyg {
 
-std::vector<Price> pricesOf(const std::vector<WorkRow>& rows, double error, double duration, Cost cost) {
+std::vector<Price> pricesOf(const std::vector<WorkRow>& rows, double error, Cost cost) {
   std::vector<Price> prices;
   for (const WorkRow& row : rows) {
     const Price price{row.integrator, row.precision,
                       cost == Cost::Seconds ? row.seconds : static_cast<double>(row.forceEvaluations), row.dt,
                       row.tolerance};
-    if (!row.trusted(duration) || !(row.rmsError <= error) || !(price.cost > 0)) continue;
+    if (row.status != RowStatus::Ok || !(row.rmsError + row.floor <= error) || !(price.cost > 0)) continue;
     const auto same = std::ranges::find_if(prices, [&](const Price& other) {
       return other.integrator == row.integrator && other.precision == row.precision;
     });

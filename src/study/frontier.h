@@ -21,8 +21,8 @@ struct Price {
   double tolerance = 0;
 };
 
-/// The cheapest trusted row of each method and precision whose E is at most `error` (m), cheapest first. Rows as they
-/// are: nothing is interpolated, so every price was really paid. `duration` is the simulated time of the runs, s.
-std::vector<Price> pricesOf(const std::vector<WorkRow>& rows, double error, double duration, Cost cost);
+/// The cheapest row of each method and precision whose error, E and floor together, is at most `error` (m), cheapest
+/// first. Rows as they are: nothing is interpolated, so every price was really paid.
+std::vector<Price> pricesOf(const std::vector<WorkRow>& rows, double error, Cost cost);
 
 }  // namespace tyg

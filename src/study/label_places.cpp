@@ -20,7 +20,8 @@ PixelBox boxAt(double left, double centre, const WantedLabel& label) {
 std::vector<PixelBox> candidates(const WantedLabel& label) {
   std::vector<PixelBox> boxes;
   for (int k = 0; k <= 24; ++k) {
-    const double shift = (k % 2 == 0 ? 0.5 : -0.5) * ((k + 1) / 2) * label.height;
+    const int halves = k % 2 == 0 ? k / 2 : -(k + 1) / 2;
+    const double shift = 0.5 * halves * label.height;
     for (const double away : {kGap, 2.5 * kGap, 5 * kGap}) {
       boxes.push_back(boxAt(label.at.x + away, label.at.y + shift, label));
       boxes.push_back(boxAt(label.at.x - away - label.width, label.at.y + shift, label));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 
 #include "study/error.h"
 #include "study/stability.h"
@@ -13,11 +14,11 @@
 namespace tyg {
 namespace {
 
-constexpr double kReferenceTolerance = 1e-13;                 // of the size; below it rounding takes over
-constexpr double kTwinDistance = 1e-9, kTwinFarthest = 1e-3;  // of the size
+constexpr double kReferenceTolerance = 1e-13;  // of the size; below it rounding takes over
+constexpr double kTwinDistance = 1e-9;         // of the size
 
 /// Shares of the whole work, about as measured.
-constexpr double kMainShare = 0.2, kTwinShare = 0.2, kFirstTryShare = 0.1;
+constexpr double kMainShare = 0.2, kTwinShare = 0.2, kRungShare = 0.5;
 
 class ReferenceMaker {
  public:
@@ -53,38 +54,44 @@ class ReferenceMaker {
   void measureAmplification() {
     const double distance = kTwinDistance * reference_.size;
     const SampledMotion twin = run(twinOf(reference_.scene, distance), findMethod("dopri54"), kTwinShare);
-    double amplification = 0;
-    for (std::size_t k = 0; k < times_.size() && !std::isinf(amplification); ++k) {
-      const bool gone = k >= twin.positions.size();
-      const double apart = gone ? 0 : distanceBetween(twin.positions[k], reference_.motion.positions[k]).rms;
-      const bool lost = gone || apart > kTwinFarthest * reference_.size;
-      amplification = lost ? std::numeric_limits<double>::infinity() : apart / distance;
-      reference_.amplification.push_back(amplification);
+    for (std::size_t k = 0; k < twin.positions.size(); ++k) {
+      const double apart = distanceBetween(twin.positions[k], reference_.motion.positions[k]).rms;
+      reference_.amplification.push_back(apart / distance);
     }
-    reference_.amplification.resize(times_.size(), amplification);
+    // A twin that failed is as lost as one can be.
+    reference_.amplification.resize(times_.size(), 1 / kTwinDistance);
   }
 
-  /// The classical Runge-Kutta method shares neither coefficients nor step control with the reference. A first try
-  /// shows how far its step must shrink to come within the reference's tolerance.
+  /// The classical Runge-Kutta method shares neither coefficients nor step control with the reference. Its step shrinks
+  /// until it comes within the reference's tolerance, or gains no more, or costs too much.
   void askSecondOpinion() {
     const Method& method = findMethod("rk4");
     const double interval = times_.front(), limit = restLatticeLimit(reference_.scene, method);
-    constexpr double kFirstOfLimit = 0.25, kWithoutLimit = 64, kMostRefinement = 64;
-    const double first = limit > 0 ? std::ceil(interval / (kFirstOfLimit * limit)) : kWithoutLimit;
-    const double roughly = disagreementAt(first, kFirstTryShare);
-    // What the cloth itself amplifies is not a fault of the step.
-    const double amplified = std::clamp(std::ranges::max(reference_.amplification), 1.0, kTwinFarthest / kTwinDistance);
-    const double wanted = amplified * kReferenceTolerance / 2 * reference_.size;
-    const double ratio = roughly >= 0 ? std::pow(roughly / wanted, 1.0 / method.order) : kMostRefinement / 4;
-    const double refinement = std::clamp(std::ceil(ratio), 2.0, kMostRefinement);
-    disagreementAt(first * refinement, 1 - done_);
+    constexpr double kFirstOfLimit = 0.25, kWithoutLimit = 64, kGain = 4;
+    const double wanted = kReferenceTolerance / 2 * reference_.size;
+    const double most = mostEvaluations() / (method.evaluationsPerStep * static_cast<double>(times_.size()));
+    double count = limit > 0 ? std::ceil(interval / (kFirstOfLimit * limit)) : kWithoutLimit;
+    double apart = disagreementAt(count);
+    while (!reference_.stopped && !(apart <= wanted) && 2 * count <= most) {
+      const double factor = std::isnan(apart) ? 4 : std::ceil(std::pow(apart / wanted, 1.0 / method.order));
+      count *= std::clamp(factor, 2.0, std::min(8.0, std::floor(most / count)));
+      const double before = std::exchange(apart, disagreementAt(count));
+      if (apart > before / kGain) break;
+    }
+  }
+
+  /// What the second opinion may cost: some times the reference itself, and small sheets cost next to nothing.
+  [[nodiscard]] double mostEvaluations() const {
+    constexpr double kTimesTheReference = 8, kParticleEvaluations = 2e7;
+    const double particles = double(reference_.scene.columns) * reference_.scene.rows;
+    return std::max(kTimesTheReference * double(reference_.motion.forceEvaluations), kParticleEvaluations / particles);
   }
 
   /// At the end of the run; NaN where the second method failed.
-  double disagreementAt(double stepsPerSample, double share) {
+  double disagreementAt(double stepsPerSample) {
     Scene scene = reference_.scene;
     scene.dt = times_.front() / stepsPerSample;
-    const SampledMotion second = run(scene, findMethod("rk4"), share);
+    const SampledMotion second = run(scene, findMethod("rk4"), kRungShare * (1 - done_));
     reference_.secondStep = second.largestStep;
     reference_.disagreement.clear();
     if (!complete(second)) return std::numeric_limits<double>::quiet_NaN();

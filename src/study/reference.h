@@ -18,9 +18,10 @@ struct Reference {
   double secondStep = 0;  ///< s, of the classical Runge-Kutta method that gave the second opinion
   /// Largest distance (m, RMS over particles) so far between the two. Empty where the second opinion failed.
   std::vector<double> disagreement;
-  /// A: how far a twin that starts a billionth of the size away has gone from here, over its start distance; infinite
-  /// from where the distance passes a thousandth of the size.
+  /// A: how far a twin that starts a billionth of the size away has gone from here, over its start distance. Past
+  /// kTwinLost it is a lower bound: the twin then has gone a thousandth of the size, too far to tell of small errors.
   std::vector<double> amplification;
+  static constexpr double kTwinLost = 1e6;
   bool stopped = false;  ///< by the observer
 
   /// Is it complete, with a second opinion?

@@ -165,7 +165,7 @@ class StudyMaker {
   double ladderFraction() {
     constexpr double kBudgetsPerSeries = 5;
     const double inSeries = std::min(1.0, (plan_.clock() - seriesStart_) / (kBudgetsPerSeries * plan_.runBudget));
-    const double all = double(plan_.methods.size() * plan_.precisions.size());
+    const auto all = double(plan_.methods.size() * plan_.precisions.size());
     return fraction_ = std::max(fraction_, kLadderShare * (double(seriesDone_) + inSeries) / all);
   }
 

@@ -86,7 +86,7 @@ class LineReader {
   }
 
   template <class Number>
-  Number number(std::size_t k) const {
+  [[nodiscard]] Number number(std::size_t k) const {
     Number value{};
     const std::string& text = fields_[k];
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -71,17 +71,17 @@ TEST(WorkRows, OfAnotherFileAreRefusedByLine) {
   EXPECT_NE(refusal(wrong).find("old.csv:2: found 'fine'"), std::string::npos);
 }
 
-TEST(Prices, AreTheCheapestTrustedRowsOfEachMethodWithinTheError) {
+TEST(Prices, AreTheCheapestRowsOfEachMethodWhoseErrorAndFloorAreWithinTheError) {
   std::vector<WorkRow> rows{someRow("rk4", 1e-3, 0.5, 10), someRow("rk4", 1e-4, 0.7, 20),
                             someRow("leapfrog", 5e-3, 0.1, 5), someRow("bs32", 1e-3, 0.2, 30),
                             someRow("xpbd", 1e-6, 0.01, 0)};
-  rows[4].horizon = 1;  // means nothing at the end
-  const std::vector<Price> prices = pricesOf(rows, 2e-3, 2, Cost::Seconds);
+  rows[4].floor = 3e-3;  // may be as wrong as that
+  const std::vector<Price> prices = pricesOf(rows, 2e-3, Cost::Seconds);
   ASSERT_EQ(prices.size(), 2U);
   EXPECT_EQ(prices[0].integrator, "bs32");
   EXPECT_EQ(prices[1].integrator, "rk4");
   EXPECT_EQ(prices[1].cost, 0.5);
-  EXPECT_EQ(pricesOf(rows, 2e-3, 2, Cost::Evaluations)[0].integrator, "rk4");
+  EXPECT_EQ(pricesOf(rows, 2e-3, Cost::Evaluations)[0].integrator, "rk4");
 }
 
 }  // namespace
