@@ -165,9 +165,12 @@ std::string runPlan(const Simulation& simulation) {
            scene.damping == Damping::Relative ? "relative" : "axial");
   text += line("spacing %.4g m, particle mass %.4g kg, gravity (%.4g, %.4g, %.4g) m/s2, drag %.4g N s/m\n",
                scene.spacing, scene.particleMass, scene.gravity.x, scene.gravity.y, scene.gravity.z, scene.drag);
-  text +=
-      line("%s: %s; order %d, %d force evaluation%s a step\n", name(method).c_str(), std::string(method.scheme).c_str(),
-           method.order, method.evaluationsPerStep, method.evaluationsPerStep == 1 ? "" : "s");
+  const std::string evaluations =
+      method.evaluationsPerStep < 0
+          ? "as many force evaluations a step as it needs"
+          : line("%d force evaluation%s a step", method.evaluationsPerStep, method.evaluationsPerStep == 1 ? "" : "s");
+  text += line("%s: %s; order %d, %s\n", name(method).c_str(), std::string(method.scheme).c_str(), method.order,
+               evaluations.c_str());
   const std::vector<double> edges = pushEdges(scene);
   for (std::size_t k = 1; k < edges.size(); ++k) {
     text += line("span %zu: %.6g s to %.6g s\n", k, edges[k - 1], edges[k]);
