@@ -7,18 +7,16 @@
 
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/drawn_files.h"
 #include "app/interrupt.h"
 #include "app/option_checks.h"
 #include "app/progress.h"
 #include "core/whole_file.h"
-#include "study/gnuplot.h"
 #include "study/trajectory_plot.h"
 #include "tyg/methods.h"
 
 namespace tyg {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::size_t kMostParticles = 6;
 constexpr const char* kUsualMethods = "symplectic-euler,report-rk4,rk4";
@@ -61,18 +59,6 @@ std::vector<const Method*> chosenMethods(const PlotOptions& options) {
   return chosen;
 }
 
-/// The folder, made where it is missing. Throws InputError where that cannot be done.
-fs::path chosenFolder(const std::string& name) {
-  std::error_code error;
-  fs::create_directories(name, error);
-  if (!fs::is_directory(name)) {
-    throw InputError("--out: found '" + name + "', allowed is a folder that exists or can be made (" + error.message() +
-                     ")");
-  }
-  for (const char* file : {"plot.csv", "plot.gp", "plot.svg", "plot.png"}) checkWritable(fs::path(name) / file);
-  return name;
-}
-
 TrajectoryStudy followed(const Scene& scene, const PlotOptions& options) {
   const std::vector<const Method*> methods = chosenMethods(options);
   Progress progress("tyg plot " + scene.name);
@@ -91,37 +77,12 @@ void sayWhatFailed(const TrajectoryStudy& study) {
   }
 }
 
-int draw(const fs::path& folder) {
-  WholeFile svg(folder / "plot.svg"), png(folder / "plot.png");
-  const GnuplotOutcome outcome = runGnuplot(folder, "plot.gp",
-                                            {"svg=" + gnuplotQuoted(svg.temporary().filename().string()),
-                                             "png=" + gnuplotQuoted(png.temporary().filename().string())});
-  if (interrupted()) return kInterrupted;
-  if (outcome.kind == GnuplotOutcome::Kind::Missing) {
-    std::cout << "gnuplot is not installed: " << (folder / "plot.csv").string() << " and "
-              << (folder / "plot.gp").string() << " are written;\nwith it, `cd " << folder.string()
-              << " && gnuplot plot.gp` draws plot.svg and plot.png" << std::endl;
-    return kDone;
-  }
-  if (outcome.kind == GnuplotOutcome::Kind::Failed) {
-    std::cerr << "tyg plot: gnuplot could not draw " << (folder / "plot.gp").string() << ":\n"
-              << outcome.message << "allowed is a gnuplot 5 with the terminals svg and pngcairo" << std::endl;
-    return kWrongInput;
-  }
-  svg.keep();
-  png.keep();
-  for (const char* file : {"plot.csv", "plot.gp", "plot.svg", "plot.png"}) {
-    std::cout << (folder / file).string() << "\n";
-  }
-  std::cout << std::flush;
-  return kDone;
-}
-
 int plot(const PlotOptions& options) {
   const Scene scene = chosenScene(options.scene);
   chosenMethods(options);
   chosenParticles(scene, options.particles);
-  const fs::path folder = chosenFolder(options.out);
+  const std::vector<std::string> files{"plot.csv", "plot.gp", "plot.svg", "plot.png"};
+  const std::filesystem::path folder = preparedFolder(options.out, files);
 
   const InterruptWatch watch;
   const TrajectoryStudy study = followed(scene, options);
@@ -132,7 +93,7 @@ int plot(const PlotOptions& options) {
   sayWhatFailed(study);
   writeWholeFile(folder / "plot.csv", trajectoryCsv(study));
   writeWholeFile(folder / "plot.gp", trajectoryScript(study));
-  return draw(folder);
+  return drawFiles("tyg plot", folder, "plot", "plot.csv");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace tyg {
 namespace {
 
 constexpr double kWidth = ChartCanvas::kWidth, kHeight = ChartCanvas::kHeight;
-constexpr double kArrow = 42, kCharacter = 14.2, kBeside = 110;  // pixels
+constexpr double kArrow = 42, kCharacter = 14.2, kBeside = 170;  // pixels
 constexpr const char *kGrey = "#666666", *kInk = "#222222", *kSpatial = "#A03000";
 
 double screenX(double pixels) { return pixels / kWidth; }
