@@ -229,8 +229,9 @@ class Script {
       if (end == nullptr || !inPanel(panel, work, end->rmsError / chart_.size)) continue;
       const Pixel at{pixelX(panel, work), pixelY(error_, end->rmsError / chart_.size)};
       if (tooSlow(method)) {
-        arrowAfter(at, lookOf(method).colour);
-        lines.push_back({at, {at.x + kArrow, at.y}});
+        const std::vector<Pixel>& curve = lines.end()[lines.end()[-2].empty() ? -1 : -2];
+        arrowAfter(curve.back(), lookOf(method).colour);
+        lines.push_back({curve.back(), {curve.back().x + kArrow, curve.back().y}});
       }
       shown.push_back(method);
       wanted.push_back({{at.x + kArrow - 10, at.y}, kCharacter * double(method.size()), 34});
@@ -274,7 +275,8 @@ class Script {
     textAt("failed:", panel.left, ChartCanvas::kTop - 18, "left", kGrey, 0.8);
     for (const std::string& method : methods_) {
       if (endOfCurve(chart_, method) != nullptr) continue;
-      textAt(method, panel.right + 10, y, "left", lookOf(method).colour, 1);
+      textAt((tooSlow(method) ? "\u2192 " : "\u00d7 ") + method, panel.right + 10, y, "left", lookOf(method).colour,
+             0.95);
       y -= 34;
     }
   }
