@@ -19,7 +19,9 @@ struct Extent {
   }
   [[nodiscard]] LogAxis widened(double down, double up) const {
     if (high == 0) return {};
-    return {low / down, high * up};
+    // At least two decades: an axis needs more than one number on it.
+    const double wider = std::max(1.0, std::sqrt(100 / (high * up / (low / down))));
+    return {low / down / wider, high * up * wider};
   }
 };
 
