@@ -18,7 +18,7 @@
 #include "core/whole_file.h"
 #include "tyg/scene.h"
 
-extern char** environ;
+extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves declaring it to the program
 
 namespace tyg {
 namespace {
@@ -90,6 +90,7 @@ struct Movie::Body {
 
   void start(std::vector<std::string> words) {
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t actions;

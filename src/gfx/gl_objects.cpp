@@ -52,7 +52,7 @@ class Shader {
 
 }  // namespace
 
-GlProgram::GlProgram(std::string_view stem) : name_(0) {
+GlProgram::GlProgram(std::string_view stem) {
   const Shader vertex(GL_VERTEX_SHADER, std::string(stem) + ".vert");
   const Shader fragment(GL_FRAGMENT_SHADER, std::string(stem) + ".frag");
   name_ = glCreateProgram();

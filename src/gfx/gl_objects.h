@@ -73,7 +73,7 @@ class GlProgram {
 
  private:
   [[nodiscard]] GLint at(const char* uniform) const { return glGetUniformLocation(name_, uniform); }
-  GLuint name_;
+  GLuint name_ = 0;
 };
 
 }  // namespace tyg

@@ -89,26 +89,27 @@ class Imex final : public Integrator<T> {
     if (isDamped_) factor_.analyzePattern(mass_ + damping_);
   }
 
+  /// Solved for the change of the velocity, (M + h/2 D) (v' - v) = h (F - D v), whose rounding is the smaller one.
   void solve(State<T>& state, double h) {
     if (h != factoredFor_) {
       factor_.factorize(mass_ + T(h / 2) * damping_);
       factoredFor_ = h;
     }
     const auto size = Eigen::Index(places_.size());
-    velocity_.resize(size, 3), momentum_.resize(size, 3);
+    velocity_.resize(size, 3);
     const std::ptrdiff_t plane = state.velocity.layout().plane;
     T* v = state.velocity.x();
     const T* f = force_.x();
     for (Eigen::Index k = 0; k < size; ++k) {
       for (int axis = 0; axis < 3; ++axis) velocity_(k, axis) = v[axis * plane + places_[std::size_t(k)]];
     }
-    momentum_ = T(sheet_.particleMass) * velocity_ - T(h / 2) * (damping_ * velocity_);
+    impulse_ = -T(h) * (damping_ * velocity_);
     for (Eigen::Index k = 0; k < size; ++k) {
-      for (int axis = 0; axis < 3; ++axis) momentum_(k, axis) += T(h) * f[axis * plane + places_[std::size_t(k)]];
+      for (int axis = 0; axis < 3; ++axis) impulse_(k, axis) += T(h) * f[axis * plane + places_[std::size_t(k)]];
     }
-    velocity_ = factor_.solve(momentum_);
+    impulse_ = factor_.solve(impulse_).eval();
     for (Eigen::Index k = 0; k < size; ++k) {
-      for (int axis = 0; axis < 3; ++axis) v[axis * plane + places_[std::size_t(k)]] = velocity_(k, axis);
+      for (int axis = 0; axis < 3; ++axis) v[axis * plane + places_[std::size_t(k)]] += impulse_(k, axis);
     }
   }
 
@@ -121,7 +122,7 @@ class Imex final : public Integrator<T> {
   Matrix damping_, mass_;
   Eigen::SimplicialLDLT<Matrix> factor_;
   double factoredFor_ = 0;
-  Columns velocity_, momentum_;
+  Columns velocity_, impulse_;
 };
 
 }  // namespace
