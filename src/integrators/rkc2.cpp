@@ -111,6 +111,7 @@ double stableStepRkc2(const Scene& scene) {
   double fastest = 0;
   for (const Mode& mode : modes) fastest = std::max({fastest, std::sqrt(mode.w2), mode.d});
   if (fastest == 0) return std::numeric_limits<double>::infinity();
+  if (!std::isfinite(fastest)) return 0;
   double inside = 1e-6 / fastest;
   if (!holds(inside)) return 0;
   while (inside < 1e3 && holds(2 * inside)) inside *= 2;

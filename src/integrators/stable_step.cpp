@@ -44,6 +44,7 @@ double rungeKuttaLimit(std::span<const double> polynomial, double w2, double d) 
   const Complex mu = fastRoot(w2, d);
   const double size = std::abs(mu);
   if (size == 0) return kEveryStep;
+  if (!std::isfinite(size)) return 0;
   const Complex direction = mu / size;
   constexpr double kRounding = 1e-12, kStride = 0.05;
   const auto grows = [&](double radius) { return growth(polynomial, radius * direction) > 1 + kRounding; };

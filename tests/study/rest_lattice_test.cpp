@@ -58,6 +58,17 @@ TEST(RestLattice, StronglyDampedIsLimitedByItsWavesOutOfPlane) {
   EXPECT_NEAR(restLatticeLimit(scene, findMethod("rk4")) * largest, 2.7853, 1e-3);
 }
 
+TEST(RestLattice, WhoseFrequenciesOverflowLeavesNoStableStep) {
+  Scene scene = emptyWorld(1, 2);
+  scene.particleMass = 1e-300;
+  scene.structural.ks = 1e300;
+  for (const Method& method : methods()) {
+    const double limit = restLatticeLimit(scene, method);
+    const bool hasOne = method.stableStep != nullptr || method.stableStepOfScene != nullptr;
+    EXPECT_TRUE(hasOne ? limit == 0 : std::isnan(limit)) << method.name << " " << limit;
+  }
+}
+
 TEST(RestLattice, OfFreeFallSetsNoLimit) { EXPECT_TRUE(std::isnan(restLatticeLimit(freeFall(), findMethod("rk4")))); }
 
 }  // namespace
