@@ -15,6 +15,7 @@ if(TYG_WERROR)
   target_compile_options(tyg_settings INTERFACE -Werror)
 endif()
 if(TYG_SANITIZE)
+  add_compile_options(-Wno-maybe-uninitialized)  # GCC sees uninitialised values in what the sanitizers add
   add_compile_options(-fsanitize=${TYG_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${TYG_SANITIZE})
 endif()

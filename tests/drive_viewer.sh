@@ -148,6 +148,9 @@ press 4
 until_true "the method changes" uses leapfrog
 until_true "the push dies down" later_than 0.6
 
+# A restart that is never started leaves that record alone.
+press r
+until_true "R restarts once more" at_time 0
 press Escape
 code=0
 wait "$viewer" || code=$?

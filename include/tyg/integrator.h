@@ -10,7 +10,8 @@
 
 namespace tyg {
 
-/// Turns the state at t into the state at t + h. Owns its scratch memory and allocates nothing in step().
+/// Turns the state at t into the state at t + h. Owns its scratch memory and allocates nothing in step(), but for what
+/// a library needs to solve equations and for what a new step length asks.
 template <class T>
 class Integrator {
  public:

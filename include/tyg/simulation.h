@@ -27,7 +27,8 @@ struct Ledger {
   double dissipated = 0;     ///< by damping and drag; only with Settings::ledger
   double scale = 0;          ///< S of the alarm: the run's own measure of a large energy
   double drift = 0;          ///< change of the sum since the start as a fraction of scale; only with Settings::ledger
-  double maxStretch = 0;     ///< largest spring elongation over the run, fraction of its rest length
+  double maxStretch = 0;     ///< largest spring elongation seen at the looks of the alarm (every 64 steps, and
+                             ///< wherever a run stops), fraction of its rest length
 };
 
 /// What a caller may ask of a simulation besides its scene.

@@ -111,7 +111,11 @@ int runCommandLine(int argc, char** argv) {
     app.set_help_flag("-h,--help", "Print this help and leave");
     app.set_version_flag("--version", "tyg " TYG_VERSION, "Print the version and leave");
     app.footer(kMore);
-    return parseAndRun(app, {argv + 1, argv + argc});
+    const int code = parseAndRun(app, {argv + 1, argv + argc});
+    std::cout.flush();
+    if (!std::cout)
+      throw InputError("standard output: found one that cannot be written, allowed is a file, a pipe or a terminal");
+    return code;
   } catch (const InputError& error) {
     std::cerr << "tyg: " << error.what() << std::endl;
     return kWrongInput;

@@ -9,7 +9,7 @@ enum ExitCode : int {
   kDone = 0,
   kSimulationFailed = 1,
   kWrongInput = 2,     ///< also an output that cannot be written
-  kInterrupted = 130,  ///< Ctrl-C, as shells report it; no file was changed
+  kInterrupted = 130,  ///< Ctrl-C, as shells report it; single files are written whole or not at all
 };
 
 /// Runs what the command line asks for and returns the exit code. Nothing escapes: each failure is one message on

@@ -68,6 +68,10 @@ Scene fitted(Scene scene, const SceneOptions& options, const PushLog& log) {
                      scene.name + "', allowed is the log's: " + logged + " of scene '" + log.scene +
                      "' (try that scene, or --sheet " + logged + ")");
   }
+  if (log.scene != scene.name) {
+    std::cerr << "tyg run: the log is of scene '" << log.scene << "' and is replayed on '" << scene.name << "'"
+              << std::endl;
+  }
   const std::string precision = log.precision == Precision::Float ? "float" : "double";
   mustAgree("--precision", options.precision, precision, precision);
   mustAgree("--integrator", options.integrator, log.integrator, log.integrator);

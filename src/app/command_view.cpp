@@ -125,7 +125,9 @@ int view(const ViewOptions& options) {
   if (options.log) checkWritable(*options.log);
   if (options.record) checkWritable(*options.record);
   Viewer viewer(scene, Settings{.threads = options.scene.threads.value_or(0)}, now);
-  const auto keep = [&options](const PushLog& log) {
+  bool kept = false;
+  const auto keep = [&options, &kept](const PushLog& log) {
+    kept = true;
     if (options.record) writeWholeFile(*options.record, formatPushLog(log));
   };
   viewer.onRunEnd(keep);
@@ -134,6 +136,8 @@ int view(const ViewOptions& options) {
     View(options, scene, viewer).run();
   } catch (const NoDisplay& error) {
     std::cerr << "tyg view: " << error.what() << "; drawing off-screen instead" << std::endl;
+    if (options.log || options.record)
+      std::cerr << "tyg view: without a window nothing is logged or recorded" << std::endl;
     return renderInstead(scene);
   } catch (const InputError&) {
     throw;
@@ -141,7 +145,8 @@ int view(const ViewOptions& options) {
     std::cerr << "tyg view: " << error.what() << "; tyg render draws without a window" << std::endl;
     return kSimulationFailed;
   }
-  keep(viewer.record());
+  // A run that was never started does not replace the one before the restart.
+  if (!kept || viewer.simulation().ticks() > 0) keep(viewer.record());
   return interrupted() ? kInterrupted : kDone;
 }
 

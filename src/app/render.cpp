@@ -3,6 +3,7 @@
 #include "app/render.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -29,7 +30,11 @@ constexpr std::size_t kFramingPoints = 2000;  // particles per moment that the v
 
 enum class Form { Picture, Movie, Folder };
 Form formOf(const fs::path& out) {
-  const std::string ending = out.extension().string();
+  std::string ending = out.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  if (!ending.empty() && ending != ".png" && ending != ".mp4" && ending != ".gif" && !fs::is_directory(out)) {
+    throw InputError("--out: found '" + out.string() + "', allowed are FILE.png, FILE.mp4, FILE.gif and a folder");
+  }
   return ending == ".png" ? Form::Picture : ending == ".mp4" || ending == ".gif" ? Form::Movie : Form::Folder;
 }
 

@@ -147,7 +147,8 @@ std::string runSummary(const FinishedRun& run) {
                  1e9 * run.seconds / evaluations / simulation.sheet().count());
   }
   text += "\n" + energyLines(run);
-  text += line("stretch       springs at most %.3g %% longer than at rest\n", 100 * run.ledger.maxStretch);
+  text += line("stretch       springs up to %.3g %% longer than at rest (looked at every 64 steps)\n",
+               100 * run.ledger.maxStretch);
   text += stableStepLine(run) + "\n";
   text += "hash          " + hashText(simulation) + "\n";
   text += "status        " + std::string(nameOf(simulation.status())) + "\n";

@@ -38,7 +38,10 @@ double pushNewtons(const Sheet& sheet) {
   return weight * std::max(kLeastPush, kPushShare * sheet.count());
 }
 
-int wholeTicks(double seconds, double dt) { return std::max(1, static_cast<int>(std::ceil(seconds / dt - 1e-9))); }
+int wholeTicks(double seconds, double dt) {
+  constexpr double kMost = 1e9;  // of ticks too short to simulate, a push lasts as many as can be counted
+  return static_cast<int>(std::clamp(std::ceil(seconds / dt - 1e-9), 1.0, kMost));
+}
 
 void addCorners(const Box& box, std::vector<glm::vec3>& room) {
   const std::array<glm::vec3, 8> corners = box.corners();

@@ -11,7 +11,8 @@ class Alarm {
   /// A rise by this fraction of the scale means that the run is unstable.
   static constexpr double kThreshold = 0.2;
 
-  /// `floor` (J): what counts as a large energy in a run where nothing larger happens; `startEnergy` = K + E at the
+  /// `floor` (J): what counts as a large energy in a run where nothing larger happens (a hundredth of stretch, and the
+  /// first steps of a free fall); `startEnergy` = K + E at the
   /// start.
   Alarm(double floor, double startEnergy) : floor_(floor), largest_(startEnergy) {}
 

@@ -14,7 +14,8 @@ namespace tyg {
 namespace {
 
 constexpr std::int64_t kStepsBetweenLooks = 64;
-constexpr double kSameTime = 1e-9;  // of dt: stop times closer than this are one
+constexpr double kSameTime = 1e-9;   // of dt: stop times closer than this are one
+constexpr double kMostSteps = 1e15;  // of one run: more would not end, and could not be counted
 
 double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
@@ -191,10 +192,13 @@ struct Simulation::Body {
     }
   }
 
+  /// s: stop times closer than this are one. A step longer than the run does not make the whole run one moment.
+  [[nodiscard]] double sameTime() const { return kSameTime * std::min(run().dt, scene.duration); }
+
   [[nodiscard]] bool shouldAct(const TimedPush& push) const {
     const Run& r = run();
     if (push.byHand) return push.firstTick <= r.ticks && r.ticks < push.endTick;
-    const double soon = r.time + kSameTime * r.dt;
+    const double soon = r.time + sameTime();
     return push.begin <= soon && soon < push.end;
   }
 
@@ -226,7 +230,7 @@ struct Simulation::Body {
   /// The first edge of a scene's push after now, or `end` where none comes before it.
   [[nodiscard]] double nextStop(double end) const {
     const Run& r = run();
-    const double tolerance = kSameTime * r.dt;
+    const double tolerance = sameTime();
     double stop = end;
     for (const TimedPush& push : r.pushes) {
       if (push.byHand) continue;
@@ -252,12 +256,15 @@ struct Simulation::Body {
       return;
     }
     const double span = stop - r.time;
-    const auto steps = std::max<std::int64_t>(1, std::int64_t(std::ceil(span / r.dt - kSameTime)));
-    walk(steps, span / double(steps), stop);
+    const double steps = std::max(1.0, std::ceil(span / r.dt - kSameTime));
+    if (steps > kMostSteps) {
+      throw InputError("dt: found " + std::to_string(steps) + " steps to the next stop, allowed: up to 1e15");
+    }
+    walk(std::int64_t(steps), span / steps, stop);
   }
 
   void advance(double end) {
-    while (!standing() && run().time < end - kSameTime * run().dt) advanceSegment(nextStop(end));
+    while (!standing() && run().time < end - sameTime()) advanceSegment(nextStop(end));
   }
 
   void tick() {

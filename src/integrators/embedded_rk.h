@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/field_ops.h"
@@ -20,7 +21,9 @@ template <class T, class Table>
 class EmbeddedRk final : public Integrator<T> {
  public:
   EmbeddedRk(const Scene& scene, const Sheet& sheet)
-      : control_(scene.dt, Table::kRoots), stagePosition_{Layout(sheet)}, errorFromRow_(std::size_t(sheet.rows)) {
+      : control_(firstStep(scene), Table::kRoots),
+        stagePosition_{Layout(sheet)},
+        errorFromRow_(std::size_t(sheet.rows)) {
     velocity_.fill(VectorField<T>{Layout(sheet)});
     force_.fill(VectorField<T>{Layout(sheet)});
   }
@@ -137,13 +140,17 @@ class EmbeddedRk final : public Integrator<T> {
     const T* const vs[] = {stageVelocity<j>(state)...};
     const T* const fs[] = {force_[j].x()...};
     T worst = 0;
+    bool finite = true;
     for (std::ptrdiff_t n = begin; n < end; ++n) {
       T ex = 0, ev = 0;
       (addError<j>(ex, vs[j], n), ...);
       (addError<j>(ev, fs[j], n), ...);
-      worst = std::max(worst, std::max(std::abs(step * ex), std::abs(kick * ev)));
+      const T inPosition = std::abs(step * ex), inVelocity = std::abs(kick * ev);
+      constexpr T kLargest = std::numeric_limits<T>::max();
+      finite = finite && inPosition <= kLargest && inVelocity <= kLargest;  // max() alone would let NaN pass
+      worst = std::max(worst, std::max(inPosition, inVelocity));
     }
-    return worst;
+    return finite ? worst : std::numeric_limits<T>::infinity();
   }
 
   StepControl control_;

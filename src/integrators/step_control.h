@@ -4,7 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/lattice.h"
+
 namespace tyg {
+
+/// A first step to try, s: a tenth of the fastest wave's time scale; a hundredth of the run where nothing oscillates.
+inline double firstStep(const Scene& scene) {
+  constexpr int kIntervals = 8;
+  double fastest = 0;
+  for (const Mode& mode : sampledModes(scene, kIntervals)) fastest = std::max({fastest, std::sqrt(mode.w2), mode.d});
+  const double step = 0.1 / fastest;
+  return step > 0 && step < scene.duration ? step : 0.01 * scene.duration;
+}
 
 /// With r = error / tolerance of a step, the next one is h * 0.9 * r^-a * rPrevious^b, at most 5 times and at least a
 /// fifth of h. The exponents a = 2^-roots, b = a / 2 are near the usual 0.7/p and 0.4/p of a method whose error is of
