@@ -12,6 +12,7 @@ namespace {
 std::atomic<long> allocations{0};
 }
 
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"  // GCC does not see that these two belong together
 // Every form of new in the standard library ends in one of these two.
 void* operator new(std::size_t size) {
   ++allocations;
