@@ -1,0 +1,68 @@
+// Scenes written as files read back as themselves.
+#include "core/scene_writer.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "test_systems.h"
+#include "tyg/methods.h"
+
+namespace tyg::test {
+namespace {
+
+Scene readBack(const Scene& scene, std::string_view comment = {}) {
+  return parseScene(sceneToToml(scene, comment), scene.name, methodNames());
+}
+
+TEST(SceneWriter, EveryBuiltinSceneReadsBackAsItself) {
+  for (const BuiltinScene& builtin : builtinScenes()) {
+    const Scene scene = loadScene(std::string(builtin.name), methodNames());
+    EXPECT_EQ(readBack(scene), scene) << builtin.name;
+  }
+}
+
+TEST(SceneWriter, RandomScenesReadBackToTheLastBit) {
+  Numbers numbers(1);
+  for (int k = 0; k < 50; ++k) {
+    Scene scene = randomScene(2 + k % 5, 3 + k % 7, numbers);
+    scene.displacements.push_back({{"", 1, 2}, numbers.inCube(1)});
+    scene.pushes.push_back({{"middle"}, numbers.inCube(3), numbers.between(0, 1), numbers.between(0, 1)});
+    scene.tolerance = numbers.between(1e-12, 1e-3);
+    scene.precision = numbers.coin() ? Precision::Float : Precision::Double;
+    EXPECT_EQ(readBack(scene), scene) << sceneToToml(scene);
+  }
+}
+
+TEST(SceneWriter, NumbersThatTomlHoldsAsIntegersOrFloatsComeBack) {
+  Scene scene = emptyWorld(2, 2);
+  scene.structural = {123456789012345678901.0, std::numeric_limits<double>::denorm_min()};
+  scene.shear = {1e15, 9007199254740993.0};
+  scene.gravity = {-1e300, 1e-300, 0.1 + 0.2};
+  EXPECT_EQ(readBack(scene), scene) << sceneToToml(scene);
+}
+
+TEST(SceneWriter, TextsKeepQuotesBackslashesControlsAndLetters) {
+  Scene scene = emptyWorld(2, 2);
+  scene.title = "a \"b\" \\ c\td\x7f";
+  scene.shows = "två tyg\nrad";
+  EXPECT_EQ(readBack(scene), scene);
+}
+
+TEST(SceneWriter, WhatAnEmptyWorldHasByItselfIsNotWritten) {
+  Scene scene = emptyWorld(2, 2);
+  scene.gravity = Scene{}.gravity;
+  const std::string text = sceneToToml(scene);
+  for (const char* word : {"springs", "world", "gravity", "drag", "push", "pins", "tolerance", "precision"}) {
+    EXPECT_EQ(text.find(word), std::string::npos) << word << " in\n" << text;
+  }
+}
+
+TEST(SceneWriter, ACommentStandsInFrontLineByLine) {
+  const Scene scene = emptyWorld(2, 2);
+  EXPECT_EQ(sceneToToml(scene, "one\ntwo").rfind("# one\n# two\ntitle", 0), 0U);
+  EXPECT_EQ(readBack(scene, "one\ntwo\n"), scene);
+}
+
+}  // namespace
+}  // namespace tyg::test
