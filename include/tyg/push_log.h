@@ -41,5 +41,7 @@ struct PushLog {
 std::string formatPushLog(const PushLog& log);
 /// Throws InputError with file, line, what was found and what is allowed.
 PushLog parsePushLog(std::string_view text, const std::string& fileName);
+/// Throws InputError where `log` cannot be done again in a simulation whose own log, at its start, is `own`.
+void refuseUnfitLog(const PushLog& log, const PushLog& own);
 
 }  // namespace tyg

@@ -213,4 +213,20 @@ std::string formatPushLog(const PushLog& log) {
 
 PushLog parsePushLog(std::string_view text, const std::string& fileName) { return LogReader(text, fileName).read(); }
 
+void refuseUnfitLog(const PushLog& log, const PushLog& own) {
+  const auto size = [](const PushLog& l) { return std::to_string(l.columns) + "x" + std::to_string(l.rows); };
+  if (size(log) != size(own)) {
+    throw InputError("replay: found a log of a " + size(log) + " sheet, allowed: one of this " + size(own) + " sheet");
+  }
+  if (log.precision != own.precision || log.integrator != own.integrator || log.dt != own.dt) {
+    throw InputError("replay: found a log with another integrator, step or precision; allowed: the same as here");
+  }
+  for (const LogEvent& event : log.events) {
+    if (event.kind == LogEvent::Kind::Push && (event.particle < 0 || event.particle >= own.columns * own.rows)) {
+      throw InputError("replay: found a push on particle " + std::to_string(event.particle) + ", allowed: 0 to " +
+                       std::to_string(own.columns * own.rows - 1));
+    }
+  }
+}
+
 }  // namespace tyg

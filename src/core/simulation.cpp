@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "core/alarm.h"
 #include "core/moving_sheet.h"
+#include "core/run_memory.h"
 #include "tyg/workers.h"
 
 namespace tyg {
@@ -19,17 +19,6 @@ constexpr double kMostSteps = 1e15;  // of one run: more would not end, and coul
 
 double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-
-/// A push of the scene, between two times, or one by hand, during whole ticks.
-struct TimedPush {
-  int particle = 0;
-  Vec3 force;
-  double begin = 0, end = 0;                ///< s, of the scene
-  std::int64_t firstTick = 0, endTick = 0;  ///< by hand
-  bool byHand = false;
-  bool acting = false;
-  Vec3 from;  ///< where the particle was when the push began to act
-};
 
 /// Sum over springs of ks (0.01 L0)^2 / 2: the energy of a sheet stretched by a hundredth.
 double hundredthStretch(const Scene& scene, const Sheet& sheet) {
@@ -51,22 +40,6 @@ Alarm makeAlarm(const Scene& scene, const Sheet& sheet, const StoredEnergy& star
   return {hundredthStretch(scene, sheet) + firstSteps(scene, sheet), start.kinetic + start.elastic};
 }
 
-void refuseUnfitLog(const PushLog& log, const PushLog& own) {
-  const auto size = [](const PushLog& l) { return std::to_string(l.columns) + "x" + std::to_string(l.rows); };
-  if (size(log) != size(own)) {
-    throw InputError("replay: found a log of a " + size(log) + " sheet, allowed: one of this " + size(own) + " sheet");
-  }
-  if (log.precision != own.precision || log.integrator != own.integrator || log.dt != own.dt) {
-    throw InputError("replay: found a log with another integrator, step or precision; allowed: the same as here");
-  }
-  for (const LogEvent& event : log.events) {
-    if (event.kind == LogEvent::Kind::Push && (event.particle < 0 || event.particle >= own.columns * own.rows)) {
-      throw InputError("replay: found a push on particle " + std::to_string(event.particle) + ", allowed: 0 to " +
-                       std::to_string(own.columns * own.rows - 1));
-    }
-  }
-}
-
 }  // namespace
 
 std::string_view nameOf(Status status) {
@@ -79,35 +52,6 @@ std::string_view nameOf(Status status) {
       return "not-finite";
   }
 }
-
-namespace {
-
-/// Everything that a run remembers besides what moves: a regular type, so that a snapshot is a copy.
-struct Run {
-  explicit Run(const Alarm& quietAlarm) : alarm(quietAlarm) {}
-
-  const Method* method = nullptr;
-  double time = 0, dt = 0, largestStep = 0;
-  std::int64_t ticks = 0, steps = 0;
-  double tickBaseTime = 0;  // tick k begins at tickBaseTime + (k - tickBase) * dt
-  std::int64_t tickBase = 0;
-
-  std::vector<TimedPush> pushes;
-  double finishedWork = 0;  // J, of pushes that have ended
-
-  Alarm alarm;
-  Status status = Status::Ok;
-  double alarmTime = std::numeric_limits<double>::quiet_NaN();
-  double maxStretch = 0;
-  double startHeight = 0;  // J, gravitational energy of the start shape
-  double startSum = 0;     // J, of the ledger
-
-  PushLog log;
-  std::vector<LogEvent> script;  // of a replay, ascending ticks
-  std::size_t scriptNext = 0;
-};
-
-}  // namespace
 
 struct Simulation::Body {
   Scene scene;
@@ -267,17 +211,57 @@ struct Simulation::Body {
     while (!standing() && run().time < end - sameTime()) advanceSegment(nextStop(end));
   }
 
+  /// s, when the tick ends that is `ahead` after this one.
+  [[nodiscard]] double tickEnd(std::int64_t ahead) const {
+    const Run& r = run();
+    return r.tickBaseTime + double(r.ticks + 1 + ahead - r.tickBase) * r.dt;
+  }
+
   void tick() {
-    Run& r = run();
     playScript();
-    const double end = r.tickBaseTime + double(r.ticks + 1 - r.tickBase) * r.dt;
+    const double end = tickEnd(0);
     if (nextStop(end) == end && !stepsFreely()) {
       switchPushes();
-      walk(1, r.dt, end);
+      walk(1, run().dt, end);
     } else {
       advance(end);
     }
-    r.log.ticks = ++r.ticks;
+    run().log.ticks = ++run().ticks;
+  }
+
+  /// How many of the next ticks, up to `most`, are one step each with nothing beginning or ending after the first.
+  [[nodiscard]] std::int64_t plainTicks(std::int64_t most) const {
+    const Run& r = run();
+    if (stepsFreely()) return 0;
+    most = std::min(most, kStepsBetweenLooks - r.steps % kStepsBetweenLooks);
+    if (r.scriptNext < r.script.size()) most = std::min(most, r.script[r.scriptNext].tick - r.ticks);
+    for (const TimedPush& push : r.pushes) {
+      for (const std::int64_t edge : {push.firstTick, push.endTick}) {
+        if (push.byHand && edge > r.ticks) most = std::min(most, edge - r.ticks);
+      }
+    }
+    // Half a tick away from the edge of a scene's push there is no doubt about the tick that it lies in.
+    const double edge = nextStop(tickEnd(most)) - r.dt / 2;
+    while (most > 0 && tickEnd(most - 1) > edge) --most;
+    return most;
+  }
+
+  /// The same as that many single ticks, to the last bit, with the method's steps in one call where nothing comes
+  /// between them.
+  void tick(std::int64_t count) {
+    const std::int64_t end = run().ticks + count;
+    while (run().ticks < end && !standing()) {
+      playScript();
+      const std::int64_t plain = plainTicks(end - run().ticks);
+      if (plain < 2) {
+        tick();
+        continue;
+      }
+      switchPushes();
+      moving->steps(run().dt, int(plain));
+      this->count(run().dt, int(plain), tickEnd(plain - 1));
+      run().log.ticks = run().ticks += plain;
+    }
   }
 
   void note(LogEvent event) {
@@ -350,9 +334,9 @@ void Simulation::advanceTo(double time) {
   run.tickBaseTime = run.time, run.tickBase = run.ticks;
 }
 
-void Simulation::tick() {
+void Simulation::tick(std::int64_t count) {
   body_->stopAsked = false;
-  if (!body_->standing()) body_->tick();
+  body_->tick(count);
 }
 
 void Simulation::observe(std::function<bool()> observer) { body_->observer = std::move(observer); }

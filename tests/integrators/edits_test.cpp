@@ -147,5 +147,59 @@ TEST(Edits, APushOnNobodyOrForNoTimeIsRefused) {
   EXPECT_THROW(simulation.useStep(-1), InputError);
 }
 
+/// Ticks in calls of 1, 2, 3, ... together, with pushes, a method and a step by hand in between.
+std::uint64_t hashAfterBatches(Simulation& simulation, int longest) {
+  int together = 0;
+  for (const std::int64_t end : {30, 75, 110, 300}) {
+    while (simulation.ticks() < end) {
+      together = together % longest + 1;
+      simulation.tick(std::min<std::int64_t>(together, end - simulation.ticks()));
+    }
+    if (end == 30) simulation.push(kMiddle, kPush, 17);
+    if (end == 75) simulation.useStep(simulation.dt() / 3);
+    if (end == 110) simulation.useMethod(findMethod("leapfrog"));
+  }
+  return simulation.hash();
+}
+
+TEST(Edits, ManyTicksAtOnceGiveTheBitsOfSingleOnes) {
+  for (const Method& method : methods()) {
+    for (const double tolerance : {0.0, 1e-4}) {
+      Scene scene = tickingSheet();
+      scene.tolerance = tolerance;
+      for (const double at : {20.5 * scene.dt, 24 * scene.dt}) {  // a push within a tick, and one of whole ticks
+        scene.pushes.push_back({.particle = Place{.name = "middle"}, .force = {0, 1, 0}, .at = at, .duration = 0.125});
+      }
+      Simulation single(scene, method), batches(scene, method);
+      EXPECT_EQ(hashAfterBatches(batches, 150), hashAfterBatches(single, 1)) << method.name;
+      EXPECT_EQ(batches.time(), single.time());
+      EXPECT_EQ(batches.log(), single.log());
+      EXPECT_EQ(batches.ledger().work, single.ledger().work);
+    }
+  }
+}
+
+TEST(Edits, AReplayInManyTicksGivesTheBitsOfTheRun) {
+  const Method& method = findMethod("symplectic-euler");
+  Simulation first(tickingSheet(), method), again(tickingSheet(), method);
+  const std::uint64_t hash = hashAfterBatches(first, 7);
+  again.replay(first.log(), methods());
+  again.tick(first.ticks());
+  EXPECT_EQ(again.hash(), hash);
+  EXPECT_EQ(again.log(), first.log());
+}
+
+TEST(Edits, ManyTicksAlarmWhereSingleOnesDo) {
+  Scene scene = tickingSheet();
+  scene.dt = 0.25;
+  const Method& method = findMethod("leapfrog");
+  Simulation single(scene, method), batch(scene, method);
+  tick(single, 1000), batch.tick(1000);
+  EXPECT_NE(single.status(), Status::Ok);
+  EXPECT_EQ(batch.status(), single.status());
+  EXPECT_EQ(batch.alarmTime(), single.alarmTime());
+  EXPECT_EQ(batch.ticks(), single.ticks());
+}
+
 }  // namespace
 }  // namespace tyg::test
