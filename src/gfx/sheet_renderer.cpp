@@ -23,10 +23,6 @@ struct Palette {
   glm::vec3 structural, shear, bend, particle, pin, push;
 };
 
-constexpr glm::vec3 rgb(unsigned hex) {
-  return {float(hex >> 16U & 255U) / 255, float(hex >> 8U & 255U) / 255, float(hex & 255U) / 255};
-}
-
 const Palette kDark{.background = rgb(0x14181f),
                     .sky = rgb(0x1b212b),
                     .ground = rgb(0x0e1116),
@@ -264,7 +260,8 @@ void SheetRenderer::Body::drawSprings(const Frame& frame, const DrawOptions& opt
     drawLines(frame, linesFor(Family::Shear), {frame.palette.shear, thin, 0, spacing, kFade});
   }
   if (options.structural) {
-    drawLines(frame, linesFor(Family::Structural), {frame.palette.structural, options.lineWidth, 0, spacing, kFade});
+    const glm::vec3 colour = options.mesh.value_or(frame.palette.structural);
+    drawLines(frame, linesFor(Family::Structural), {colour, options.lineWidth, 0, spacing, kFade});
   }
 }
 
@@ -325,13 +322,15 @@ void SheetRenderer::draw(std::span<const float> xyz, const Camera& camera, glm::
   glEnable(GL_PROGRAM_POINT_SIZE), glEnable(GL_BLEND);
   // The framebuffer stays opaque whatever is blended into it.
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);
-  const glm::vec3& clear = frame.palette.background;
-  glClearColor(clear.r, clear.g, clear.b, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  if (!options.over) {
+    const glm::vec3& clear = frame.palette.background;
+    glClearColor(clear.r, clear.g, clear.b, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  }
 
   const bool shown = push && push->particle >= 0 && push->particle < body.sheet.count();
   body.upload(xyz, shown ? &*push : nullptr);
-  if (options.ground) {
+  if (options.ground && !options.over) {
     body.drawSurroundings(frame);
   }
   glEnable(GL_DEPTH_TEST), glDepthFunc(GL_LEQUAL);

@@ -21,7 +21,9 @@ struct DrawOptions {
   bool particles = false, pins = true;                  ///< as discs
   bool ground = true;
   Background background = Background::Dark;
-  float lineWidth = 1.8F;  ///< pixels, > 0, where the mesh is coarse; thinner and fainter where it is dense
+  float lineWidth = 1.8F;         ///< pixels, > 0, where the mesh is coarse; thinner and fainter where it is dense
+  std::optional<glm::vec3> mesh;  ///< colour of the structural lines, red green blue 0..1; none: the background's own
+  bool over = false;              ///< keep what is in the framebuffer and draw the cloth into it (and no ground)
 };
 
 /// A push as shown: an arrow on a particle along a force (N).
@@ -29,6 +31,11 @@ struct ShownPush {
   int particle = 0;
   Vec3 force;
 };
+
+/// A colour, 0..1, from its hexadecimal notation, 0xrrggbb.
+constexpr glm::vec3 rgb(unsigned hex) {
+  return {float(hex >> 16U & 255U) / 255, float(hex >> 8U & 255U) / 255, float(hex & 255U) / 255};
+}
 
 /// Background colour, red green blue 0..1, for panels and letterboxes that must match.
 glm::vec3 backgroundColour(Background background);
@@ -45,9 +52,9 @@ class SheetRenderer {
   SheetRenderer(const SheetRenderer&) = delete;
   SheetRenderer& operator=(const SheetRenderer&) = delete;
 
-  /// Clears the bound framebuffer and draws one frame. `xyz` holds 3 * sheet.count() numbers (anything else throws
-  /// std::invalid_argument), uploaded once. `pixels` is the framebuffer's size; zero draws nothing. The depth shading
-  /// follows camera.watched(). Allocates nothing.
+  /// Clears the bound framebuffer (unless options.over) and draws one frame. `xyz` holds 3 * sheet.count() numbers
+  /// (anything else throws std::invalid_argument), uploaded once. `pixels` is the framebuffer's size; zero draws
+  /// nothing. The depth shading follows camera.watched(). Allocates nothing.
   void draw(std::span<const float> xyz, const Camera& camera, glm::ivec2 pixels, const DrawOptions& options,
             const std::optional<ShownPush>& push = std::nullopt);
 

@@ -110,6 +110,36 @@ TEST_P(OffscreenPicture, ShowsEachThingThatIsSwitchedOn) {
   EXPECT_GT(pixelsThatDiffer(empty, drawn(GetParam(), nothing, kPush)), 100);
 }
 
+TEST_P(OffscreenPicture, ASecondSheetIsDrawnOverTheFirstInItsOwnColour) {
+  const auto context = makeOffscreen(GetParam(), kWidth, kHeight);
+  const Sheet sheet = hangingSheet();
+  SheetRenderer first(sheet), second(sheet);
+  std::vector<float> xyz = waveOf(sheet);
+  Camera camera;
+  camera.frame(boxAround(xyz), float(kWidth) / kHeight);
+  const auto pixelsOf = [&](bool (*isColour)(int red, int green, int blue)) {
+    const Picture picture = context->readPixels();
+    int count = 0;
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+      count += isColour(picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]) ? 1 : 0;
+    }
+    return count;
+  };
+  const auto isGreen = [](int red, int green, int blue) { return green > red + 60 && green > blue + 60; };
+  const auto isMagenta = [](int red, int green, int blue) { return red > green + 60 && blue > green + 60; };
+  DrawOptions options;
+  options.mesh = rgb(0xff00ff);
+  first.draw(xyz, camera, {kWidth, kHeight}, options);
+  const int magenta = pixelsOf(isMagenta);
+  EXPECT_GT(magenta, 1000);
+  for (std::size_t i = 0; i < xyz.size(); i += 3) xyz[i] += 0.05F;  // half a mesh aside
+  options.mesh = rgb(0x00ff00);
+  options.over = true;
+  second.draw(xyz, camera, {kWidth, kHeight}, options);
+  EXPECT_GT(pixelsOf(isGreen), 1000);
+  EXPECT_GT(pixelsOf(isMagenta), magenta / 4);
+}
+
 TEST_P(OffscreenPicture, SurvivesPositionsThatAreNotNumbersAndAnEyeInsideTheCloth) {
   const auto context = makeOffscreen(GetParam(), kWidth, kHeight);
   const Sheet sheet = hangingSheet();
