@@ -66,7 +66,9 @@ class StudyMaker {
         return;
       }
       if (runs_.back().row.status != RowStatus::TooSlow) time(runs_.back());
-      if (study_.stopped || endsLadder(number)) return;
+      if (study_.stopped) return;
+      if (plan_.rowObserver) plan_.rowObserver(runs_.back().row);
+      if (endsLadder(number)) return;
     }
   }
 

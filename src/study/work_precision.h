@@ -23,6 +23,8 @@ struct StudyPlan {
   std::function<double()> clock;  ///< s, from any start
   /// Gets the fraction done now and then and may return false: the study then ends with the rows so far.
   std::function<bool(double fraction)> observer;
+  /// Gets every row when its error and its first timing are known, for those who do not want to wait. May be empty.
+  std::function<void(const WorkRow& row)> rowObserver;
 };
 
 struct Study {

@@ -1,0 +1,165 @@
+// The thread and what it hands over.
+#include "app/background_study.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <ctime>
+#include <utility>
+
+#include "study/work_precision.h"
+
+namespace tyg {
+namespace {
+
+using Stage = StudyProgress::Stage;
+
+/// As `tyg chart --quick` does it.
+constexpr double kRunBudget = 0.1, kRepeatSeconds = 0.03, kRoundsBudget = 5;  // s
+constexpr int kFewestRepeats = 2;
+constexpr double kReferenceShare = 0.1;  // of the whole, about as measured
+constexpr int kLowestPriority = 19;
+
+/// Linux gives each thread its own nice value and takes a thread's number where others take a process's.
+int lowerPriority() {
+  const auto thread = static_cast<id_t>(gettid());
+  setpriority(PRIO_PROCESS, thread, kLowestPriority);
+  return getpriority(PRIO_PROCESS, thread);
+}
+
+/// s of computing by this thread: what a method costs does not depend on how often others were let before it.
+double threadSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
+StudyPlan planOf(const Scene& scene, const std::vector<const Method*>& methods) {
+  StudyPlan plan;
+  plan.methods = methods;
+  plan.precisions = {scene.precision};
+  plan.runBudget = kRunBudget;
+  plan.fewestRepeats = kFewestRepeats;
+  plan.repeatSeconds = kRepeatSeconds;
+  plan.roundsBudget = kRoundsBudget;
+  plan.threads = 1;
+  plan.clock = threadSeconds;
+  return plan;
+}
+
+std::string whyNoReference(const Reference& reference) {
+  const bool failed = reference.motion.status != Status::Ok;
+  return "There is no reference to measure errors against: " +
+         (failed ? "dopri54 with the finest tolerance became " + std::string(nameOf(reference.motion.status))
+                 : std::string("a second method did not agree with it")) +
+         ".";
+}
+
+}  // namespace
+
+BackgroundStudy::~BackgroundStudy() {
+  if (!thread_.joinable()) return;
+  {
+    const std::scoped_lock lock(mutex_);
+    ++wanted_;
+    ending_ = true;
+  }
+  woken_.notify_one();
+  thread_.join();
+}
+
+void BackgroundStudy::start(const Scene& scene, std::vector<const Method*> methods) {
+  replaceJob(Job{.scene = scene, .methods = std::move(methods)});
+  if (!thread_.joinable()) thread_ = std::thread([this] { serve(); });
+  woken_.notify_one();
+}
+
+void BackgroundStudy::stop() { replaceJob(std::nullopt); }
+
+void BackgroundStudy::replaceJob(std::optional<Job> job) {
+  const std::scoped_lock lock(mutex_);
+  const std::uint64_t number = ++wanted_;
+  if (job) job->number = number;
+  told_ = {};
+  if (job) told_.stage = Stage::Reference;
+  fraction_ = 0;
+  seen_ = told_;
+  seenChanges_ = ++changes_;
+  next_ = std::move(job);
+}
+
+const StudyProgress& BackgroundStudy::look() {
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  if (lock.owns_lock() && seenChanges_ != changes_) {
+    seen_ = told_;
+    seenChanges_ = changes_;
+  }
+  if (running()) seen_.fraction = fraction_;
+  return seen_;
+}
+
+bool BackgroundStudy::running() const { return seen_.stage == Stage::Reference || seen_.stage == Stage::Rows; }
+
+/// Changes what is told, unless another job is wanted by now.
+template <class Change>
+void BackgroundStudy::tell(const Job& job, const Change& change) {
+  const std::scoped_lock lock(mutex_);
+  if (!goesOn(job)) return;
+  change(told_);
+  ++changes_;
+}
+
+/// True while the job is wanted.
+bool BackgroundStudy::report(const Job& job, double fraction) {
+  if (!goesOn(job)) return false;
+  fraction_ = fraction;
+  return true;
+}
+
+void BackgroundStudy::serve() {
+  niceness_ = lowerPriority();
+  while (true) {
+    std::optional<Job> job;
+    {
+      std::unique_lock lock(mutex_);
+      woken_.wait(lock, [this] { return ending_ || next_; });
+      if (ending_) return;
+      job = std::exchange(next_, std::nullopt);
+    }
+    try {
+      study(*job);
+    } catch (const std::exception& error) {
+      tell(*job, [&](StudyProgress& told) { told.stage = Stage::Failed, told.problem = error.what(); });
+    }
+  }
+}
+
+void BackgroundStudy::study(const Job& job) {
+  const int particles = job.scene.columns * job.scene.rows;
+  if (particles > kMostParticles) {
+    throw std::runtime_error("A sheet of " + std::to_string(particles) +
+                             " particles is too large to be studied beside the window (at most " +
+                             std::to_string(kMostParticles) + "): tyg chart does it without one.");
+  }
+  const auto observer = [&](double fraction) { return report(job, kReferenceShare * fraction); };
+  const auto reference = std::make_shared<const Reference>(makeReference(job.scene, 1, observer));
+  if (!goesOn(job)) return;
+  if (!reference->usable()) throw std::runtime_error(whyNoReference(*reference));
+  tell(job, [&](StudyProgress& told) { told.stage = Stage::Rows, told.reference = reference; });
+  rowsOf(job, reference);
+}
+
+void BackgroundStudy::rowsOf(const Job& job, const std::shared_ptr<const Reference>& reference) {
+  StudyPlan plan = planOf(job.scene, job.methods);
+  plan.observer = [&](double fraction) { return report(job, kReferenceShare + (1 - kReferenceShare) * fraction); };
+  plan.rowObserver = [&](const WorkRow& row) { tell(job, [&](StudyProgress& told) { told.rows.push_back(row); }); };
+  Study study = workPrecision(job.scene, *reference, plan);
+  tell(job, [&](StudyProgress& told) {
+    told.rows = std::move(study.rows);
+    told.refusals = std::move(study.refusals);
+    told.fraction = 1;
+    told.stage = Stage::Done;
+  });
+}
+
+}  // namespace tyg
