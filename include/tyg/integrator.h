@@ -33,6 +33,8 @@ class Integrator {
   virtual void reset() {}
   /// A copy with the same memory, for snapshots.
   [[nodiscard]] virtual std::unique_ptr<Integrator> clone() const = 0;
+  /// Memory that a copy takes, but for what does not grow with the sheet.
+  [[nodiscard]] virtual std::size_t bytes() const = 0;
 };
 
 /// A line of the table of methods. Everything that lists methods (command line, tests, charts) loops over that table.

@@ -41,10 +41,14 @@ struct Settings {
 /// A complete copy of a moving simulation: restoring it and going on gives the same bits as never having stopped.
 class Snapshot {
  public:
-  [[nodiscard]] double time() const { return time_; }  ///< s
+  [[nodiscard]] double time() const { return time_; }          ///< s
+  [[nodiscard]] std::int64_t ticks() const { return ticks_; }  ///< since the start
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }   ///< memory that it takes
  private:
   friend class Simulation;
   double time_ = 0;
+  std::int64_t ticks_ = 0;
+  std::size_t bytes_ = 0;
   std::shared_ptr<const void> body_;
 };
 
@@ -70,6 +74,8 @@ class Simulation {
   /// Goes on with another method or step from the next tick on, logged. Throws InputError where dt is not positive.
   void useMethod(const Method& method);
   void useStep(double dt);
+  /// Whether to run on past the alarm, from now on.
+  void keepGoing(bool yes);
   /// Does at their ticks what a log says, from now (tick 0) on; `methods` is where its method names are looked up.
   /// Throws InputError where the log does not fit this simulation.
   void replay(const PushLog& log, std::span<const Method> methods);

@@ -48,6 +48,7 @@ class VectorField {
     const std::ptrdiff_t i = layout_.at(particle);
     x()[i] = T(value.x), y()[i] = T(value.y), z()[i] = T(value.z);
   }
+  [[nodiscard]] std::size_t bytes() const { return numbers_.size() * sizeof(T); }  ///< of memory
   bool operator==(const VectorField&) const = default;
 
  private:
@@ -61,6 +62,7 @@ struct State {
   VectorField<T> position, velocity;
   State() = default;
   explicit State(const Layout& layout) : position(layout), velocity(layout) {}
+  [[nodiscard]] std::size_t bytes() const { return position.bytes() + velocity.bytes(); }  ///< of memory
   bool operator==(const State&) const = default;
 };
 

@@ -69,6 +69,7 @@ class MovingSheetOf final : public MovingSheet {
     State<T> state;
     std::unique_ptr<Integrator<T>> integrator;
     typename Forces<T>::Account account;
+    [[nodiscard]] std::size_t bytes() const override { return state.bytes() + integrator->bytes(); }
   };
 
   const Scene& scene_;

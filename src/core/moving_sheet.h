@@ -15,6 +15,7 @@ class MovingSheet {
   /// Everything that moves, copied; the precision is known to its maker.
   struct Moment {
     virtual ~Moment() = default;
+    [[nodiscard]] virtual std::size_t bytes() const = 0;  ///< of memory
   };
 
   virtual ~MovingSheet() = default;

@@ -357,6 +357,8 @@ void Simulation::useStep(double dt) {
   body_->useStep(dt);
 }
 
+void Simulation::keepGoing(bool yes) { body_->settings.keepGoing = yes; }
+
 void Simulation::replay(const PushLog& log, std::span<const Method> methods) {
   refuseUnfitLog(log, body_->run().log);
   body_->replayMethods = methods;
@@ -416,9 +418,12 @@ struct SavedBody {
 }  // namespace
 
 Snapshot Simulation::save() const {
+  auto saved = std::make_shared<const SavedBody>(SavedBody{body_->run(), body_->moving->save()});
   Snapshot snapshot;
   snapshot.time_ = time();
-  snapshot.body_ = std::make_shared<const SavedBody>(SavedBody{body_->run(), body_->moving->save()});
+  snapshot.ticks_ = ticks();
+  snapshot.bytes_ = saved->moment->bytes() + saved->run.log.events.size() * sizeof(LogEvent);
+  snapshot.body_ = std::move(saved);
   return snapshot;
 }
 

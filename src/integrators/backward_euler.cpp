@@ -53,6 +53,11 @@ class BackwardEuler final : public Integrator<T> {
     forces.dissipate(h);
   }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<BackwardEuler>(*this); }
+  [[nodiscard]] std::size_t bytes() const override {
+    return force_.bytes() + springs_.size() * sizeof(ListedSpring) + places_.size() * sizeof(std::ptrdiff_t) +
+           (stiffness_.size() + damping_.size() + inverse_.size()) * sizeof(Block) +
+           6 * solution_.size() * sizeof(solution_[0]);
+  }
 
  private:
   using Vector = Eigen::Matrix<T, 3, 1>;

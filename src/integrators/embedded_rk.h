@@ -46,6 +46,7 @@ class EmbeddedRk final : public Integrator<T> {
 
   void reset() override { haveFirst_ = false; }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<EmbeddedRk>(*this); }
+  [[nodiscard]] std::size_t bytes() const override { return stagePosition_.bytes() + 2 * kStages * force_[0].bytes(); }
 
  private:
   static constexpr int kStages = Table::kStages;

@@ -24,6 +24,7 @@ class ExplicitEuler final : public Integrator<T> {
     });
   }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<ExplicitEuler>(*this); }
+  [[nodiscard]] std::size_t bytes() const override { return force_.bytes(); }
 
  private:
   VectorField<T> force_;

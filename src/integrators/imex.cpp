@@ -44,6 +44,11 @@ class Imex final : public Integrator<T> {
     drift(forces, state, h / 2);
   }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<Imex>(*this); }
+  [[nodiscard]] std::size_t bytes() const override {
+    const auto entries = std::size_t(damping_.nonZeros() + mass_.nonZeros());  // a copy is not factored
+    return 2 * force_.bytes() + entries * (sizeof(T) + sizeof(int)) +
+           places_.size() * (6 * sizeof(T) + sizeof(int) + sizeof(std::ptrdiff_t));
+  }
 
  private:
   using Matrix = Eigen::SparseMatrix<T>;

@@ -25,6 +25,7 @@ class Leapfrog final : public Integrator<T> {
   }
   void reset() override { haveForce_ = false; }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<Leapfrog>(*this); }
+  [[nodiscard]] std::size_t bytes() const override { return force_.bytes() + predicted_.bytes(); }
 
  private:
   /// w = v + h/2 a;  x' = x + h w;  u = w + h/2 a

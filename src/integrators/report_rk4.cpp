@@ -21,6 +21,7 @@ class ReportRk4 final : public Integrator<T> {
     forces.kickAndDrift(state, reportRk4Step(h), count);
   }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<ReportRk4>(*this); }
+  [[nodiscard]] std::size_t bytes() const override { return force_.bytes(); }
 
  private:
   VectorField<T> force_;

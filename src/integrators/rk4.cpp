@@ -27,6 +27,9 @@ class Rk4 final : public Integrator<T> {
     finish(forces, state, h);
   }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<Rk4>(*this); }
+  [[nodiscard]] std::size_t bytes() const override {
+    return stage_.bytes() + force_.bytes() + sumV_.bytes() + sumF_.bytes();
+  }
 
  private:
   /// Starts the sums with k1 and moves the stage to y + c k1.

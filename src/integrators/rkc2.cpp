@@ -53,6 +53,7 @@ class Rkc2 final : public Integrator<T> {
     std::swap(state, now_);
   }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<Rkc2>(*this); }
+  [[nodiscard]] std::size_t bytes() const override { return 3 * now_.bytes() + force0_.bytes() + force_.bytes(); }
 
  private:
   struct Weights {

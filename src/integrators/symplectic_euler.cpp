@@ -18,6 +18,7 @@ class SymplecticEuler final : public Integrator<T> {
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override {
     return std::make_unique<SymplecticEuler>(*this);
   }
+  [[nodiscard]] std::size_t bytes() const override { return force_.bytes(); }
 
  private:
   VectorField<T> force_;

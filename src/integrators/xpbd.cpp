@@ -36,6 +36,9 @@ class Xpbd final : public Integrator<T> {
     takeVelocity(forces, state, h);
   }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<Xpbd>(*this); }
+  [[nodiscard]] std::size_t bytes() const override {
+    return start_.bytes() + force_.bytes() + springs_.size() * sizeof(ListedSpring);
+  }
 
  private:
   void predictVelocity(Forces<T>& forces, State<T>& state, double h) {

@@ -189,6 +189,31 @@ TEST(Edits, AReplayInManyTicksGivesTheBitsOfTheRun) {
   EXPECT_EQ(again.log(), first.log());
 }
 
+TEST(Edits, ARunThatIsLetGoOnPassesItsAlarm) {
+  Scene scene = tickingSheet();
+  scene.dt = 0.25;
+  Simulation simulation(scene, findMethod("leapfrog"));
+  simulation.tick(1000);
+  const std::int64_t alarm = simulation.ticks();
+  simulation.keepGoing(true);
+  simulation.tick(5);
+  EXPECT_EQ(simulation.ticks(), alarm + 5);
+  simulation.keepGoing(false);
+  simulation.tick(5);
+  EXPECT_EQ(simulation.ticks(), alarm + 5);
+}
+
+TEST(Edits, AMomentTakesTheMemoryOfItsStateAtLeastAndGrowsWithTheSheet) {
+  for (const Method& method : methods()) {
+    Scene scene = tickingSheet();
+    const auto bytes = [&] { return Simulation(scene, method).save().bytes(); };
+    const std::size_t small = bytes();
+    EXPECT_GE(small, 6 * sizeof(double) * std::size_t(scene.columns * scene.rows)) << method.name;
+    scene.columns *= 10, scene.rows *= 10;
+    EXPECT_GT(bytes(), 10 * small) << method.name;  // of a hundred times; a small sheet is padded
+  }
+}
+
 TEST(Edits, ManyTicksAlarmWhereSingleOnesDo) {
   Scene scene = tickingSheet();
   scene.dt = 0.25;

@@ -1,0 +1,62 @@
+// The last ten seconds of a running cloth: copies of it now and then, and the way from one of them to any tick since by
+// simulating again, which gives the same bits. Must not know: windows, clocks.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+
+#include "tyg/simulation.h"
+
+namespace tyg {
+
+/// Follows one simulation. While `past()`, the simulation stands before the newest moment, and tick() does again what
+/// was done then; cut() makes the present moment the newest one.
+class History {
+ public:
+  static constexpr double kSeconds = 10;                ///< simulated, that are kept
+  static constexpr std::size_t kMostBytes = 128 << 20;  ///< of all copies; but two of them there are in any case
+
+  struct Moment {
+    std::int64_t ticks = 0;
+    double time = 0;  ///< s
+  };
+
+  /// `mostBytes`: of all copies, instead of kMostBytes.
+  explicit History(std::size_t mostBytes = kMostBytes) : mostBytes_(mostBytes) {}
+
+  /// Forgets everything; the present state is the first moment.
+  void begin(const Simulation& simulation);
+  /// Up to `count` ticks on; what lies in the past is done again, up to the newest moment and then on from there.
+  /// Fewer where the alarm stops the simulation.
+  void tick(Simulation& simulation, std::int64_t count);
+  /// On the way to `tick` (clamped to what is kept): the simulation comes to the nearest moment before it from which
+  /// tick(simulation, target() - simulation.ticks()) leads there.
+  void turnTo(Simulation& simulation, std::int64_t tick);
+  [[nodiscard]] std::int64_t target() const { return target_; }
+  /// Forgets what came after the present moment.
+  void cut(const Simulation& simulation);
+
+  [[nodiscard]] bool past() const { return past_; }
+  [[nodiscard]] Moment first() const { return {copies_.front().ticks(), copies_.front().time()}; }
+  /// The last moment that was reached.
+  [[nodiscard]] Moment newest(const Simulation& simulation) const;
+  /// The tick that begins nearest to a time (s), as far as steps were equal between two copies.
+  [[nodiscard]] std::int64_t tickAt(double time, const Simulation& simulation) const;
+  /// The log up to the newest moment, with its length and the hash there.
+  [[nodiscard]] PushLog record(const Simulation& simulation) const;
+  [[nodiscard]] std::size_t bytes() const;  ///< of all copies
+
+ private:
+  void follow(const Simulation& simulation);
+  void repeatDeeds(Simulation& simulation) const;
+  void arrive(Simulation& simulation);
+
+  std::size_t mostBytes_;
+  std::deque<Snapshot> copies_;  ///< oldest first, never empty once begun
+  bool past_ = false;
+  PushLog whole_;  ///< while past: record() of the newest moment
+  Moment newest_;  ///< while past
+  std::int64_t target_ = 0;
+};
+
+}  // namespace tyg
