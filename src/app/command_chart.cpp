@@ -189,9 +189,9 @@ int sayInterrupted(const std::string& kept) {
   return kInterrupted;
 }
 
-WorkChart chartOf(const Reference& reference, Study study, const Charting& charting) {
+WorkChart chartOf(const Reference& reference, const Study& study, const Charting& charting) {
   WorkChart chart;
-  chart.rows = std::move(study.rows);
+  chart.rows = study.rows;
   chart.title = reference.scene.title + ": speed against accuracy";
   chart.notes = chartNotes(reference, machineName(), charting.threads());
   chart.duration = reference.scene.duration;
@@ -209,7 +209,8 @@ int chart(const ChartOptions& options) {
   const std::optional<ErrorRange> range = chosenRange(options.errorRange);
   const std::vector<Grid> grids = chosenSheets(scene, options.sheets);
   const Earlier earlier = readEarlier(scene, options.compare);
-  const std::vector<std::string> files{"rows.csv", "chart.gp", "chart.svg", "chart.png"};
+  const std::vector<std::string> files{"rows.csv",   "chart.gp",    "chart.svg",       "chart.png",
+                                       "sheets.csv", "compare.csv", "past_horizon.csv"};
   const fs::path folder = preparedFolder(options.out, files);
 
   const InterruptWatch watch;
@@ -219,19 +220,22 @@ int chart(const ChartOptions& options) {
   if (!reference.usable()) return sayNoReference(reference);
   const std::vector<SheetDistance> sheets = charting->sheets(reference, grids);
   if (interrupted()) return sayInterrupted("nothing was written");
-  Study study = charting->study(reference, range);
+  const Study study = charting->study(reference, range);
   for (const std::string& refusal : study.refusals) std::cerr << "\ntyg chart: left out: " << refusal << std::endl;
 
-  WorkChart drawn = chartOf(reference, std::move(study), *charting);
+  WorkChart drawn = chartOf(reference, study, *charting);
   charting.reset();  // wipes the progress line
   drawn.range = range;
   if (!sheets.empty())
     drawn.spatial = {sheets.back().grid.columns, sheets.back().grid.rows, sheets.back().distance.rms};
   if (!earlier.rows.empty()) drawn.comparedDuration = durationOf(earlier.rows, scene.duration);
 
+  // What an earlier chart left here does not belong to these rows.
+  for (const std::string& old : files) fs::remove(folder / old);
   writeWholeFile(folder / "rows.csv", workCsv(drawn.rows));
   if (!sheets.empty()) writeWholeFile(folder / "sheets.csv", sheetsCsv(sheets));
   if (!earlier.rows.empty()) writeWholeFile(folder / "compare.csv", earlier.text);
+  if (!study.pastHorizon.empty()) writeWholeFile(folder / "past_horizon.csv", pastHorizonCsv(study.pastHorizon));
   writeWholeFile(folder / "chart.gp", workChartScript(drawn));
   if (interrupted()) {
     return sayInterrupted("the " + std::to_string(drawn.rows.size()) + " rows so far are in " +
@@ -239,6 +243,9 @@ int chart(const ChartOptions& options) {
                           " && gnuplot chart.gp` draws them");
   }
   for (const std::string& note : drawn.notes) std::cout << note << "\n";
+  for (const std::string& line : pastHorizonLines(study.pastHorizon)) {
+    std::cout << line << "; see " << (folder / "past_horizon.csv").string() << "\n";
+  }
   std::cout << sheetLines(sheets, reference.size) << cheapestMethods(drawn) << speedChanges(drawn.rows, earlier.rows)
             << std::flush;
   return drawFiles("tyg chart", folder, "chart", "rows.csv");

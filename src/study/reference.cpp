@@ -33,6 +33,7 @@ class ReferenceMaker {
 
   Reference make() {
     reference_.motion = run(reference_.scene, findMethod("dopri54"), kMainShare);
+    reference_.bulk = bulkOf(reference_.motion);
     if (complete(reference_.motion)) measureAmplification();
     if (complete(reference_.motion)) askSecondOpinion();
     return std::move(reference_);
@@ -58,6 +59,7 @@ class ReferenceMaker {
       const double apart = distanceBetween(twin.positions[k], reference_.motion.positions[k]).rms;
       reference_.amplification.push_back(apart / distance);
     }
+    reference_.twinBulk = bulkOf(twin);
     // A twin that failed is as lost as one can be.
     reference_.amplification.resize(times_.size(), 1 / kTwinDistance);
   }
@@ -116,6 +118,10 @@ double roundingUnit(Precision precision) {
                                        : std::numeric_limits<double>::epsilon() / 2;
 }
 
+std::size_t firstAfter(const std::vector<double>& times, double time) {
+  return static_cast<std::size_t>(std::ranges::upper_bound(times, time) - times.begin());
+}
+
 }  // namespace
 
 bool Reference::usable() const {
@@ -125,7 +131,19 @@ bool Reference::usable() const {
 double Reference::floorAt(std::size_t sample, Precision precision) const {
   double amplified = 1;  // at the start
   for (std::size_t k = 0; k <= sample; ++k) amplified = std::max(amplified, amplification[k]);
-  return std::max(disagreement[sample], amplified * roundingUnit(precision) * size);
+  return std::min(size, std::max(disagreement[sample], amplified * roundingUnit(precision) * size));
+}
+
+BulkDistance Reference::distanceAfter(double horizon, const SampledMotion& run) const {
+  return bulkDistance(bulkOf(run), bulk, firstAfter(motion.times, horizon));
+}
+
+BulkDistance Reference::bandAfter(double horizon, Precision precision) const {
+  BulkDistance band = bulkDistance(twinBulk, bulk, firstAfter(motion.times, horizon));
+  const double wider =
+      std::ranges::max(amplification) > kTwinLost ? 1 : std::max(1.0, roundingUnit(precision) / kTwinDistance);
+  band.centre *= wider, band.gyration *= wider, band.energy *= wider;
+  return band;
 }
 
 double Reference::horizonOf(double error, Precision precision) const {

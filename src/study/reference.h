@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "study/sampled_motion.h"
+#include "study/bulk.h"
 
 namespace tyg {
 
@@ -22,15 +22,21 @@ struct Reference {
   /// kTwinLost it is a lower bound: the twin then has gone a thousandth of the size, too far to tell of small errors.
   std::vector<double> amplification;
   static constexpr double kTwinLost = 1e6;
-  bool stopped = false;  ///< by the observer
+  std::vector<Bulk> bulk, twinBulk;  ///< of the reference and of the twin, whose run may have failed before the end
+  bool stopped = false;              ///< by the observer
 
   /// Is it complete, with a second opinion?
   [[nodiscard]] bool usable() const;
   /// The least error (m) that means something up to a sample time: the larger of the disagreement so far and of what
-  /// the amplification makes of one rounding error.
+  /// the amplification makes of one rounding error; at most the sheet's size.
   [[nodiscard]] double floorAt(std::size_t sample, Precision precision) const;
   /// The same over the whole run.
   [[nodiscard]] double floorOf(Precision precision) const { return floorAt(motion.times.size() - 1, precision); }
+  /// How far a motion as a whole is from the reference after its horizon (s).
+  [[nodiscard]] BulkDistance distanceAfter(double horizon, const SampledMotion& run) const;
+  /// The twin's own distance there. While the twin is not lost its spread is in proportion to its start: rounding units
+  /// larger than that make the band as many times wider.
+  [[nodiscard]] BulkDistance bandAfter(double horizon, Precision precision) const;
   /// T*: the last sample time (s) whose floor is below a tenth of this error (m); 0 where there is none.
   [[nodiscard]] double horizonOf(double error, Precision precision) const;
 };

@@ -54,7 +54,9 @@ SampledMotion sampledRun(const Scene& scene, const Method& method, const std::ve
     if (motion.status != Status::Ok || motion.stopped) break;
     motion.times.push_back(time);
     motion.positions.push_back(positionsOf(simulation));
-    if (options.ledger) motion.energyDrift = std::max(motion.energyDrift, std::abs(simulation.ledger().drift));
+    const Ledger ledger = simulation.ledger();
+    motion.energies.push_back(ledger.kinetic + ledger.elastic + ledger.gravitational);
+    if (options.ledger) motion.energyDrift = std::max(motion.energyDrift, std::abs(ledger.drift));
   }
   motion.steps = simulation.steps();
   motion.forceEvaluations = simulation.forceEvaluations();

@@ -8,7 +8,7 @@
 namespace tyg {
 namespace {
 
-constexpr double kFirstLeft = 150, kFirstRight = 1060, kSecondLeft = 1330, kSecondRight = 2200;
+constexpr double kFirstLeft = 150, kFirstRight = 1000, kSecondLeft = 1340, kSecondRight = 2160, kStrip = 48;
 
 struct Extent {
   double low = std::numeric_limits<double>::infinity(), high = 0;
@@ -25,6 +25,30 @@ struct Extent {
   }
 };
 
+LogAxis workAxis(const WorkChart& chart, const ChartPanel& panel) {
+  Extent extent;
+  for (const WorkRow& row : chart.rows) {
+    if (row.status == RowStatus::Ok) extent.include(panel.workOf(row, chart.duration));
+  }
+  if (panel.work == ChartPanel::Work::Seconds) extent.include(1);  // real time
+  return extent.widened(2.5, 2);                                   // room for the failed runs to the left
+}
+
+LogAxis errorAxis(const WorkChart& chart) {
+  if (chart.range) return {chart.range->lowest, chart.range->highest};
+  Extent extent;
+  extent.include(chart.floorOfDouble / chart.size);
+  for (const WorkRow& row : chart.rows) extent.include(row.rmsError / chart.size);
+  if (chart.spatial) extent.include(chart.spatial->distance / chart.size);
+  return extent.high > 0 ? extent.widened(3, 3) : LogAxis{1e-12, 1};
+}
+
+LogAxis driftAxis(const WorkChart& chart) {
+  Extent extent;
+  for (const WorkRow& row : chart.rows) extent.include(row.energyDrift);
+  return extent.high > 0 ? extent.widened(3, 3) : LogAxis{1e-12, 1};
+}
+
 }  // namespace
 
 double LogAxis::place(double value) const { return std::log(value / low) / std::log(high / low); }
@@ -36,34 +60,39 @@ double ChartPanel::workOf(const WorkRow& row, double duration) const {
   return (work == Work::Seconds ? row.seconds : static_cast<double>(row.forceEvaluations)) / simulated;
 }
 
-std::vector<ChartPanel> chartPanels(const WorkChart& chart) {
-  std::vector<ChartPanel> panels{
-      {.work = ChartPanel::Work::Seconds, .left = kFirstLeft, .right = kFirstRight, .x = {}},
-      {.work = ChartPanel::Work::Evaluations, .left = kSecondLeft, .right = kSecondRight, .x = {}}};
-  for (ChartPanel& panel : panels) {
-    Extent extent;
-    for (const WorkRow& row : chart.rows) {
-      if (row.status == RowStatus::Ok) extent.include(panel.workOf(row, chart.duration));
-    }
-    if (panel.work == ChartPanel::Work::Seconds) extent.include(1);  // real time
-    panel.x = extent.widened(2.5, 2);                                // room for the failed runs to the left
-  }
-  return panels;
+double ChartPanel::heightOf(const WorkRow& row, double size) const {
+  return shown == Shown::Error ? row.rmsError / size : row.energyDrift;
 }
 
-ErrorAxis errorAxis(const WorkChart& chart) {
-  LogAxis data{1e-12, 1};
-  if (chart.range) {
-    data = {chart.range->lowest, chart.range->highest};
-  } else {
-    Extent extent;
-    extent.include(chart.floorOfDouble / chart.size);
-    for (const WorkRow& row : chart.rows) extent.include(row.rmsError / chart.size);
-    if (chart.spatial) extent.include(chart.spatial->distance / chart.size);
-    if (extent.high > 0) data = extent.widened(3, 3);
+Pixel ChartPanel::pixel(double across, double height) const {
+  return {left + x.place(across) * (right - left), bottom - y.place(height) * (bottom - top)};
+}
+
+bool ChartPanel::holds(double across, double height) const {
+  if (!(across > 0) || !(height > 0)) return false;
+  const Pixel at = pixel(across, height);
+  return at.x >= left && at.x <= right && at.y >= top + strip && at.y <= bottom;
+}
+
+std::vector<ChartPanel> chartPanels(const WorkChart& chart) {
+  using enum ChartPanel::Work;
+  using enum ChartPanel::Shown;
+  constexpr double kTop = ChartCanvas::kTop, kBottom = ChartCanvas::kBottom;
+  std::vector<ChartPanel> panels(3);
+  panels[0].work = panels[2].work = Seconds;
+  panels[1].work = Evaluations;
+  panels[0].shown = panels[1].shown = Error;
+  panels[2].shown = EnergyDrift;
+  for (ChartPanel& panel : panels) {
+    const bool upper = panel.shown == Error, first = panel.work == Seconds;
+    panel.left = first ? kFirstLeft : kSecondLeft, panel.right = first ? kFirstRight : kSecondRight;
+    panel.top = upper ? kTop : ChartCanvas::kLowerTop, panel.bottom = upper ? kBottom : ChartCanvas::kLowerBottom;
+    panel.strip = upper ? kStrip : 0;
+    panel.x = workAxis(chart, panel);
+    panel.y = upper ? errorAxis(chart) : driftAxis(chart);
+    panel.y.high = panel.y.at(1 / (1 - panel.strip / (panel.bottom - panel.top)));  // the strip lies above the data
   }
-  // The strip lies above the data.
-  return {{data.low, data.at(1 / (1 - ErrorAxis::kStrip))}};
+  return panels;
 }
 
 std::vector<std::string> chartedMethods(const WorkChart& chart) {
@@ -74,31 +103,25 @@ std::vector<std::string> chartedMethods(const WorkChart& chart) {
   return names;
 }
 
-double pixelX(const ChartPanel& panel, double work) {
-  return panel.left + panel.x.place(work) * (panel.right - panel.left);
-}
-double pixelY(const ErrorAxis& axis, double error) {
-  return ChartCanvas::kBottom - axis.y.place(error) * (ChartCanvas::kBottom - ChartCanvas::kTop);
-}
-
-std::vector<Pixel> curveOf(const WorkChart& chart, const ChartPanel& panel, const ErrorAxis& axis,
-                           const std::string& method, Precision precision) {
+std::vector<Pixel> curveOf(const WorkChart& chart, const ChartPanel& panel, const std::string& method,
+                           Precision precision) {
   std::vector<Pixel> curve;
   for (const WorkRow& row : chart.rows) {
-    const double work = panel.workOf(row, chart.duration);
     if (row.integrator != method || row.precision != precision || row.status != RowStatus::Ok) continue;
-    if (work > 0 && row.rmsError > 0) curve.push_back({pixelX(panel, work), pixelY(axis, row.rmsError / chart.size)});
+    const double work = panel.workOf(row, chart.duration), height = panel.heightOf(row, chart.size);
+    if (work > 0 && height > 0) curve.push_back(panel.pixel(work, height));
   }
   return curve;
 }
 
-const WorkRow* endOfCurve(const WorkChart& chart, const std::string& method) {
+const WorkRow* endOfCurve(const WorkChart& chart, const ChartPanel& panel, const std::string& method) {
   const WorkRow* end = nullptr;
   const auto rank = [&](const WorkRow& row) {
     return (row.precision == Precision::Double ? 2 : 0) + (row.trusted(chart.duration) ? 1 : 0);
   };
   for (const WorkRow& row : chart.rows) {
-    if (row.integrator != method || row.status != RowStatus::Ok || !(row.rmsError > 0)) continue;
+    if (row.integrator != method || row.status != RowStatus::Ok) continue;
+    if (!panel.holds(panel.workOf(row, chart.duration), panel.heightOf(row, chart.size))) continue;
     if (end == nullptr || rank(row) >= rank(*end)) end = &row;
   }
   return end;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "study/error.h"
 #include "study/ladder.h"
@@ -31,7 +32,10 @@ class StudyMaker {
       }
     }
     if (!study_.stopped) repeatTimings();
-    for (const Timed& run : runs_) study_.rows.push_back(run.row);
+    for (const Timed& run : runs_) {
+      study_.rows.push_back(run.row);
+      if (run.past) study_.pastHorizon.push_back({run.row, run.past->distance, run.past->band});
+    }
     return std::move(study_);
   }
 
@@ -41,7 +45,8 @@ class StudyMaker {
     WorkRow row;
     Scene scene;
     const Method* method;
-    std::size_t rung;  ///< its place in the ladder
+    std::optional<PastHorizon> past;
+    std::size_t rung = 0;  ///< its place in the ladder
     int repeats = 0;
     double spent = 0;  ///< s, in timing
   };
@@ -56,7 +61,8 @@ class StudyMaker {
       scene.dt = rung.dt;
       scene.tolerance = rung.tolerance;
       try {
-        runs_.push_back({errorRow(scene, method), scene, &method, number++});
+        runs_.push_back(errorRun(scene, method));
+        runs_.back().rung = number++;
       } catch (const InputError& refusal) {
         refuse(method, refusal.what());
         return;
@@ -77,7 +83,7 @@ class StudyMaker {
     if (std::ranges::find(study_.refusals, text) == study_.refusals.end()) study_.refusals.push_back(text);
   }
 
-  WorkRow errorRow(const Scene& scene, const Method& method) {
+  Timed errorRun(const Scene& scene, const Method& method) {
     const double start = plan_.clock();
     bool late = false;
     const auto observer = [&](double) {
@@ -86,7 +92,8 @@ class StudyMaker {
     };
     const SampledMotion motion =
         sampledRun(scene, method, times_, {.threads = plan_.threads, .ledger = true, .observer = observer});
-    WorkRow row;
+    Timed run{.row = {}, .scene = scene, .method = &method, .past = {}};
+    WorkRow& row = run.row;
     row.scene = scene.name, row.columns = scene.columns, row.rows = scene.rows;
     row.integrator = method.name, row.precision = scene.precision;
     row.dt = motion.largestStep, row.tolerance = method.adaptive ? scene.tolerance : 0;
@@ -94,12 +101,17 @@ class StudyMaker {
     row.floor = reference_.floorOf(scene.precision);
     row.status = motion.stopped ? RowStatus::TooSlow : rowStatus(motion.status);
     if (row.status == RowStatus::TooSlow) row.seconds = plan_.clock() - start;
-    if (row.status != RowStatus::Ok) return row;
+    if (row.status != RowStatus::Ok) return run;
     const Distance error = motionError(motion, reference_.motion);
     row.rmsError = error.rms, row.maxError = error.largest;
     row.energyDrift = motion.energyDrift;
     row.horizon = reference_.horizonOf(error.rms, scene.precision);
-    return row;
+    if (!row.trusted(scene.duration)) {
+      run.past = {.row = {},
+                  .distance = reference_.distanceAfter(row.horizon, motion),
+                  .band = reference_.bandAfter(row.horizon, scene.precision)};
+    }
+    return run;
   }
 
   /// Times the run of a row: the same scene from stop to stop, with nothing else between the steps.

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "study/past_horizon.h"
 #include "study/reference.h"
 #include "study/work_rows.h"
 
@@ -28,8 +29,9 @@ struct StudyPlan {
 };
 
 struct Study {
-  std::vector<WorkRow> rows;          ///< method by method, double before float, coarse to fine
-  std::vector<std::string> refusals;  ///< why a method is not in the rows: what it says about the scene
+  std::vector<WorkRow> rows;             ///< method by method, double before float, coarse to fine
+  std::vector<PastHorizon> pastHorizon;  ///< of the rows whose error does not mean something over the whole run
+  std::vector<std::string> refusals;     ///< why a method is not in the rows: what it says about the scene
   bool stopped = false;
 };
 

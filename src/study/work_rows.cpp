@@ -21,14 +21,6 @@ void append(std::string& line, Number number) {
   line.append(",").append(digits.begin(), end);
 }
 
-/// A text between quotes where it holds a comma, a quote or a line break.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
-
 class LineReader {
  public:
   LineReader(std::string_view line, const std::string& fileName, int number)
@@ -124,11 +116,18 @@ std::string_view nameOf(RowStatus status) {
   }
 }
 
+std::string csvField(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + "\"";
+}
+
 std::string workCsv(const std::vector<WorkRow>& rows) {
   std::string csv(kHeader);
   csv += "\n";
   for (const WorkRow& row : rows) {
-    csv += field(row.scene);
+    csv += csvField(row.scene);
     append(csv, row.columns);
     append(csv, row.rows);
     csv += "," + row.integrator + (row.precision == Precision::Float ? ",float" : ",double");

@@ -16,6 +16,7 @@ WorkRow row(const std::string& method, double error, double seconds) {
   one.scene = "test", one.integrator = method;
   one.dt = 0.01, one.steps = 100, one.forceEvaluations = 400;
   one.seconds = seconds, one.rmsError = error, one.floor = 1e-14, one.horizon = 1;
+  one.energyDrift = error / 10;
   return one;
 }
 
@@ -52,14 +53,10 @@ TEST(WorkChart, ShowsAnEarlierFileAndAFinerSheetOnlyWhereThereIsOne) {
 
 TEST(WorkChart, TheAxesHoldEveryRowAndRealTime) {
   const WorkChart chart = someChart();
-  const LogAxis y = errorAxis(chart).y;
   for (const ChartPanel& panel : chartPanels(chart)) {
     for (const WorkRow& one : chart.rows) {
       if (one.status != RowStatus::Ok) continue;
-      EXPECT_GT(panel.x.place(panel.workOf(one, chart.duration)), 0);
-      EXPECT_LT(panel.x.place(panel.workOf(one, chart.duration)), 1);
-      EXPECT_GT(y.place(one.rmsError), 0);
-      EXPECT_LT(y.place(one.rmsError), 1 - ErrorAxis::kStrip);
+      EXPECT_TRUE(panel.holds(panel.workOf(one, chart.duration), panel.heightOf(one, chart.size)));
     }
   }
   EXPECT_LT(chartPanels(chart)[0].x.place(1), 1);
@@ -68,24 +65,45 @@ TEST(WorkChart, TheAxesHoldEveryRowAndRealTime) {
 TEST(WorkChart, TheErrorRangeIsTheAxis) {
   WorkChart chart = someChart();
   chart.range = ErrorRange{1e-6, 1e-2};
-  const LogAxis y = errorAxis(chart).y;
-  EXPECT_DOUBLE_EQ(y.low, 1e-6);
-  EXPECT_NEAR(y.at(1 - ErrorAxis::kStrip), 1e-2, 1e-12);
+  const ChartPanel panel = chartPanels(chart)[0];
+  EXPECT_DOUBLE_EQ(panel.y.low, 1e-6);
+  EXPECT_NEAR(panel.belowStrip(), 1e-2, 1e-12);
 }
 
-TEST(WorkChart, ACurveEndsAtItsLastTrustedRow) {
+TEST(WorkChart, ACurveEndsAtItsLastTrustedRowInsideThePanel) {
   WorkChart chart = someChart();
-  EXPECT_EQ(endOfCurve(chart, "rk4")->rmsError, 1e-5);
+  const auto endOf = [&](const std::string& method) { return endOfCurve(chart, chartPanels(chart)[0], method); };
+  EXPECT_EQ(endOf("rk4")->rmsError, 1e-5);
   chart.rows[1].horizon = 0.5;
-  EXPECT_EQ(endOfCurve(chart, "rk4")->rmsError, 1e-3);
-  EXPECT_EQ(endOfCurve(chart, "xpbd"), nullptr);
+  EXPECT_EQ(endOf("rk4")->rmsError, 1e-3);
+  EXPECT_EQ(endOf("xpbd"), nullptr);
+  chart.rows[1].horizon = 1;
+  chart.range = ErrorRange{1e-4, 1e-2};
+  EXPECT_EQ(endOf("rk4")->rmsError, 1e-3);
+}
+
+TEST(WorkChart, RowsWithoutAnEnergyDriftAreNotInThePanelOfIt) {
+  WorkChart chart = someChart();
+  const ChartPanel::Shown drift = ChartPanel::Shown::EnergyDrift;
+  EXPECT_EQ(chartPanels(chart)[2].shown, drift);
+  EXPECT_EQ(curveOf(chart, chartPanels(chart)[2], "rk4", Precision::Double).size(), 2U);
+  chart.rows[0].energyDrift = WorkRow::kNone, chart.rows[1].energyDrift = 0;
+  EXPECT_TRUE(curveOf(chart, chartPanels(chart)[2], "rk4", Precision::Double).empty());
+  EXPECT_FALSE(holds(workChartScript(chart), "nan"));
+}
+
+TEST(WorkChart, TellsAHorizonThatIsShorterThanTheRun) {
+  WorkChart chart = someChart();
+  EXPECT_FALSE(holds(workChartScript(chart), "T* = "));
+  chart.rows[1].horizon = 0.25;
+  EXPECT_TRUE(holds(workChartScript(chart), "in double T* = 0.25 s of 1 s for 1 of 3 runs"));
 }
 
 TEST(WorkChart, TheWorkOfAFailedRunIsThatOfTheTimeItReached) {
   WorkRow failed = row("rk4", WorkRow::kNone, 0.1);
   failed.status = RowStatus::Unstable;
   failed.steps = 50;  // half a second
-  const ChartPanel panel{.work = ChartPanel::Work::Seconds, .left = 0, .right = 1, .x = {}};
+  const ChartPanel panel;
   EXPECT_DOUBLE_EQ(panel.workOf(failed, 2), 0.2);
 }
 

@@ -1,0 +1,43 @@
+// Pixels become fractions of gnuplot's screen, which count from the lower left corner.
+#include "study/chart_pen.h"
+
+#include "study/gnuplot.h"
+
+namespace tyg {
+
+std::string ChartPen::screen(const Pixel& at) const {
+  std::ostringstream text;
+  text << "screen " << at.x / width_ << "," << 1 - at.y / height_;
+  return text.str();
+}
+
+std::string ChartPen::fontSize(double scale) {
+  std::ostringstream text;
+  text << "(kind eq 'svg' ? 23 : 17) * " << scale;
+  return text.str();
+}
+
+void ChartPen::text(const std::string& words, const Pixel& at, const TextLook& look) {
+  const char* side = look.side == Side::Left ? "left" : look.side == Side::Right ? "right" : "center";
+  out_ << "  set label " << gnuplotQuoted(words) << " at " << screen(at) << (look.upward ? " rotate by 90 " : " ")
+       << side << " font sprintf(',%g', " << fontSize(look.scale) << ") textcolor rgb '" << look.colour
+       << "' noenhanced front\n";
+}
+
+void ChartPen::point(const Pixel& at, int type, double size, const std::string& colour) {
+  out_ << "  set label '' at " << screen(at) << " point pt " << type << " ps " << size << " lw 2.5 lc rgb '" << colour
+       << "' front\n";
+}
+
+void ChartPen::line(const Pixel& from, const Pixel& to, const LineLook& look) {
+  out_ << "  set arrow from " << screen(from) << " to " << screen(to)
+       << (look.head ? " head filled size screen 0.006,20" : " nohead") << " lw " << look.width << " dt " << look.dash
+       << " lc rgb '" << look.colour << "' " << (look.front ? "front" : "back") << "\n";
+}
+
+void ChartPen::area(const PixelBox& box, const std::string& colour) {
+  out_ << "  set object rectangle from " << screen({box.left, box.bottom}) << " to " << screen({box.right, box.top})
+       << " fc rgb '" << colour << "' fs solid noborder behind\n";
+}
+
+}  // namespace tyg
