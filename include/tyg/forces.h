@@ -85,8 +85,7 @@ class Forces {
  private:
   struct Kernel;
   template <class Loop>
-  void runBands(Loop stage, int families, const VectorField<T>& position, const VectorField<T>& velocity,
-                VectorField<T>& force);
+  void runBands(Loop stage, const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force);
   template <class Task>
   void advance(Task task, State<T>& state, double h, int count);
   struct PushedParticle {

@@ -70,11 +70,10 @@ struct Forces<T>::Kernel {
   std::vector<AlignedVector<T>> scratch;  // per thread and step of a group
   std::vector<RowEnergy> rowEnergies;     // per row
   double particleMass = 0;
-  int families = 0;
   std::array<Progress, kMostSteps / kGroup> finished;  // rows, by each group of steps
 
-  [[nodiscard]] RowLoop<T> finish(int familyBits, Update update) const {
-    return kernels.finish[familyBits][int(update)][task.drag > T(0) ? 1 : 0];
+  [[nodiscard]] FinishForces<T> finish(Update update) const {
+    return kernels.finish[int(update)][task.drag > T(0) ? 1 : 0];
   }
   T* cleanScratch(int slot) {
     AlignedVector<T>& memory = scratch[static_cast<std::size_t>(slot)];
@@ -96,8 +95,7 @@ Forces<T>::Forces(const Scene& scene, const Sheet& sheet, Workers& workers)
   k.particleMass = sheet.particleMass;
 
   RowTask<T>& task = k.task;
-  k.families = familiesOf(scene);
-  task.stage = k.kernels.stage[k.families][int(dampingOf(scene))];
+  task.stage = k.kernels.stage[familiesOf(scene)][int(dampingOf(scene))];
   constexpr int kVector = 64 / sizeof(T);  // numbers in the widest vector register
   task.width = (layout_.columns + kVector - 1) / kVector * kVector;
   task.rows = layout_.rows;
@@ -130,7 +128,7 @@ Forces<T>::~Forces() = default;
 
 template <class T>
 void Forces<T>::evaluate(const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force) {
-  runBands(kernel_->task.stage, kernel_->families, position, velocity, force);
+  runBands(kernel_->task.stage, position, velocity, force);
   ++account_.evaluations;
   measurePower(position, velocity);
 }
@@ -138,22 +136,22 @@ void Forces<T>::evaluate(const VectorField<T>& position, const VectorField<T>& v
 template <class T>
 void Forces<T>::evaluateWithoutSprings(const VectorField<T>& position, const VectorField<T>& velocity,
                                        VectorField<T>& force) {
-  runBands(kernel_->kernels.stage[0][int(DampingTerm::None)], 0, position, velocity, force);
+  runBands(kernel_->kernels.stage[0][int(DampingTerm::None)], position, velocity, force);
 }
 
 /// Each thread finishes a band of rows; the two rows above it are staged again rather than waited for.
 template <class T>
 template <class Loop>
-void Forces<T>::runBands(Loop stage, int families, const VectorField<T>& position, const VectorField<T>& velocity,
+void Forces<T>::runBands(Loop stage, const VectorField<T>& position, const VectorField<T>& velocity,
                          VectorField<T>& force) {
   Kernel& k = *kernel_;
   workers_.forBands(layout_.rows, [&](int first, int last, int thread) {
     RowTask<T> task = k.task;
     task.stage = stage;
-    task.finish = k.finish(families, Update::Store);
+    task.finish = k.finish(Update::Store);
     task.position = position.x(), task.velocity = velocity.x(), task.force = force.x();
     task.scratch = k.cleanScratch(thread);
-    for (int row = std::max(0, first - 2); row < last; ++row) k.kernels.row(task, row, row >= first);
+    for (int row = std::max(0, first - 2); row < last; ++row) task.stage(task, row, row >= first);
   });
   for (const PushedParticle& push : pushes_) {
     force.x()[push.at] += T(push.force.x);
@@ -170,7 +168,7 @@ bool Forces<T>::canAdvance() const {
 template <class T>
 void Forces<T>::kickAndDrift(State<T>& state, double h, int count) {
   RowTask<T> task = kernel_->task;
-  task.finish = kernel_->finish(kernel_->families, Update::KickAndDrift);
+  task.finish = kernel_->finish(Update::KickAndDrift);
   task.velocity = state.velocity.x();
   task.kick = T(h * inverseMass_);
   advance(task, state, h, count);
@@ -179,7 +177,7 @@ void Forces<T>::kickAndDrift(State<T>& state, double h, int count) {
 template <class T>
 void Forces<T>::leapfrog(State<T>& state, VectorField<T>& predicted, double h, int count) {
   RowTask<T> task = kernel_->task;
-  task.finish = kernel_->finish(kernel_->families, Update::Leapfrog);
+  task.finish = kernel_->finish(Update::Leapfrog);
   task.velocity = task.seen = predicted.x();
   task.kick = T(h / 2 * inverseMass_);
   advance(task, state, h, count);
@@ -209,7 +207,7 @@ void Forces<T>::advance(Task task, State<T>& state, double h, int count) {
         if (group > 0) k.finished[std::size_t(group - 1)].await(std::min(front + 3, rows));
         for (int step = 0; step < steps; ++step) {
           const int row = front - 2 * step;
-          if (row >= 0 && row < rows) k.kernels.row(tasks[std::size_t(step)], row, true);
+          if (row >= 0 && row < rows) tasks[std::size_t(step)].stage(tasks[std::size_t(step)], row, true);
         }
         k.finished[std::size_t(group)].rows.store(front - lag + 1, std::memory_order_release);
       }

@@ -34,9 +34,12 @@ enum class Update {
 template <class T>
 struct RowTask;
 
-/// Loops over places [begin, end) of one row.
+/// The springs of one row; its forces are finished too unless the row only feeds the rows below.
 template <class T>
-using RowLoop = void (*)(const RowTask<T>& task, int row, std::ptrdiff_t begin, std::ptrdiff_t end);
+using StageRow = void (*)(const RowTask<T>& task, int row, bool finish);
+/// What becomes of the forces on places [begin, end) of one row.
+template <class T>
+using FinishForces = void (*)(const RowTask<T>& task, int row, std::ptrdiff_t begin, std::ptrdiff_t end);
 
 /// A sheet to work on row by row. Arrays are planes x, y, z, `plane` numbers apart, rows `stride` apart.
 template <class T>
@@ -59,11 +62,12 @@ struct RowTask {
   T* seen = nullptr;     ///< Leapfrog: the velocities again that damping and drag see
   T step = 0, kick = 0;  ///< s; s/kg
 
-  T* scratch = nullptr;                          ///< rowScratchSize numbers, all 0 before the first row
-  RowLoop<T> stage = nullptr, finish = nullptr;  ///< the loops that this scene and update need
+  T* scratch = nullptr;         ///< rowScratchSize numbers, all 0 before the first row
+  StageRow<T> stage = nullptr;  ///< the loops that this scene and update need
+  FinishForces<T> finish = nullptr;
 };
 /// Numbers of scratch memory that a pass over the rows needs.
-constexpr std::size_t rowScratchSize(std::ptrdiff_t stride) { return static_cast<std::size_t>(15 * stride + 9 * 160); }
+constexpr std::size_t rowScratchSize(std::ptrdiff_t stride) { return static_cast<std::size_t>(15 * stride + 3 * 128); }
 
 /// What one row contributes to the energies, summed over its particles and the springs they own.
 struct RowEnergy {
@@ -90,10 +94,8 @@ struct EnergyRow {
 
 template <class T>
 struct RowKernels {
-  RowLoop<T> stage[8][3];      ///< by families and damping term
-  RowLoop<T> finish[8][3][2];  ///< by families, update, and whether there is drag
-  /// One row: stages its springs, and finishes it unless it only feeds the rows below.
-  void (*row)(const RowTask<T>& task, int row, bool finish);
+  StageRow<T> stage[8][3];       ///< by families and damping term
+  FinishForces<T> finish[3][2];  ///< by update, and whether there is drag
   RowEnergy (*energy)(const EnergyRow<T>&);
   RowEnergy (*power)(const EnergyRow<T>&);  ///< fills `power` alone
 };

@@ -9,28 +9,27 @@
 namespace tyg {
 namespace {
 
-template <class T, int families, Update update>
-constexpr void fillUpdate(RowKernels<T>& kernels) {
-  kernels.finish[families][int(update)][0] = finishForces<T, families, update, false>;
-  kernels.finish[families][int(update)][1] = finishForces<T, families, update, true>;
+template <class T, int families>
+constexpr void fillStage(RowKernels<T>& kernels) {
+  kernels.stage[families][int(DampingTerm::None)] = stageRow<T, families, DampingTerm::None>;
+  kernels.stage[families][int(DampingTerm::Relative)] = stageRow<T, families, DampingTerm::Relative>;
+  kernels.stage[families][int(DampingTerm::Axial)] = stageRow<T, families, DampingTerm::Axial>;
 }
 
-template <class T, int families>
-constexpr void fill(RowKernels<T>& kernels) {
-  kernels.stage[families][int(DampingTerm::None)] = stageSprings<T, families, DampingTerm::None>;
-  kernels.stage[families][int(DampingTerm::Relative)] = stageSprings<T, families, DampingTerm::Relative>;
-  kernels.stage[families][int(DampingTerm::Axial)] = stageSprings<T, families, DampingTerm::Axial>;
-  fillUpdate<T, families, Update::Store>(kernels);
-  fillUpdate<T, families, Update::KickAndDrift>(kernels);
-  fillUpdate<T, families, Update::Leapfrog>(kernels);
+template <class T, Update update>
+constexpr void fillFinish(RowKernels<T>& kernels) {
+  kernels.finish[int(update)][0] = finishForces<T, update, false>;
+  kernels.finish[int(update)][1] = finishForces<T, update, true>;
 }
 
 template <class T>
 constexpr RowKernels<T> allKernels() {
   RowKernels<T> kernels{};
-  fill<T, 0>(kernels), fill<T, 1>(kernels), fill<T, 2>(kernels), fill<T, 3>(kernels);
-  fill<T, 4>(kernels), fill<T, 5>(kernels), fill<T, 6>(kernels), fill<T, 7>(kernels);
-  kernels.row = stageAndFinishRow<T>;
+  fillStage<T, 0>(kernels), fillStage<T, 1>(kernels), fillStage<T, 2>(kernels), fillStage<T, 3>(kernels);
+  fillStage<T, 4>(kernels), fillStage<T, 5>(kernels), fillStage<T, 6>(kernels), fillStage<T, 7>(kernels);
+  fillFinish<T, Update::Store>(kernels);
+  fillFinish<T, Update::KickAndDrift>(kernels);
+  fillFinish<T, Update::Leapfrog>(kernels);
   kernels.energy = energyOfRow<T>;
   kernels.power = powerOfRow<T>;
   return kernels;
