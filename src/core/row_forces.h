@@ -129,8 +129,8 @@ constexpr std::ptrdiff_t kBlock = 128;  ///< particles whose forces stay in the 
 /// Where a row's forces are staged, as pointers to planes; all within the task's scratch memory.
 template <class T>
 struct Staged {
-  T* own;                      ///< of a block: planes kBlock apart, by place less the block's begin
-  T *now, *next, *afterNext;   ///< for this row, the next, and the one after; planes `stride` apart
+  T* own;                                 ///< of a block: planes kBlock apart, by place less the block's begin
+  T *taken, *takenNext, *takenAfterNext;  ///< by springs from above: from this row, the next, and the one after
   T *diagonal, *diagonalNext;  ///< on the particle down to the right of each, from the last row and from this one
 };
 
@@ -155,41 +155,40 @@ void stageRow(const RowTask<T>& given, int row, bool finish) {
   const Staged<T> to = stagedOf(task, row);
   const std::ptrdiff_t s = task.stride;
   const T hasDown = T(row + 1 < task.rows), hasDown2 = T(row + 2 < task.rows);
-  const Vec<T> nothing{};
   Vec<T> rightBefore{}, right2Before{};  // what the vector before does to its right neighbours, one and two places on
   for (std::ptrdiff_t begin = 0; begin < task.width; begin += kBlock) {
     const std::ptrdiff_t end = begin + kBlock < task.width ? begin + kBlock : task.width;
     for (std::ptrdiff_t i = begin; i < end; i += kLanes<T>) {
       const std::ptrdiff_t a = row * s + i;
-      Vec<T> f = load(to.now, s, i), onRight = nothing, onRight2 = nothing, onNext = nothing;
-      if constexpr ((families & kBend) != 0) onNext = load(to.next, s, i);
+      Vec<T> across{}, down{}, downRight{}, downLeft{}, across2{}, down2{};
       if constexpr ((families & kStructural) != 0) {
-        const Vec<T> across = springForce<damping>(task, task.structural, load(task.hasRight + i), a, a + 1);
-        const Vec<T> down = springForce<damping>(task, task.structural, hasDown, a, a + s);
-        f = (f + across) + down;
-        onRight = onRight - across;
-        onNext = onNext - down;
+        across = springForce<damping>(task, task.structural, load(task.hasRight + i), a, a + 1);
+        down = springForce<damping>(task, task.structural, hasDown, a, a + s);
       }
       if constexpr ((families & kShear) != 0) {
         const Lanes<T> exists = hasDown * load(task.hasRight + i);
-        const Vec<T> downRight = springForce<damping>(task, task.shear, exists, a, a + s + 1);
-        const Vec<T> downLeft = springForce<damping>(task, task.shear, exists, a + 1, a + s);
-        f = f + downRight;
-        onRight = onRight + downLeft;
-        onNext = onNext - downLeft;
-        store(to.diagonalNext, s, i, downRight);
+        downRight = springForce<damping>(task, task.shear, exists, a, a + s + 1);
+        downLeft = springForce<damping>(task, task.shear, exists, a + 1, a + s);
       }
       if constexpr ((families & kBend) != 0) {
-        onRight2 = springForce<damping>(task, task.bend, load(task.hasRight2 + i), a, a + 2);
-        const Vec<T> down = springForce<damping>(task, task.bend, hasDown2, a, a + 2 * s);
-        f = (f + onRight2) + down;
-        store(to.afterNext, s, i, nothing - down);
+        across2 = springForce<damping>(task, task.bend, load(task.hasRight2 + i), a, a + 2);
+        down2 = springForce<damping>(task, task.bend, hasDown2, a, a + 2 * s);
       }
-      store(to.next, s, i, onNext);
+      Vec<T> f = (((((across - load(to.taken, s, i)) + down) + downRight) + across2) + down2);
+      const Vec<T> onRight = downLeft - across;
+      Vec<T> takenNext = down;
+      if constexpr ((families & kBend) != 0) {
+        takenNext = load(to.takenNext, s, i) + down;
+        store(to.takenAfterNext, s, i, down2);
+      }
+      store(to.takenNext, s, i, takenNext + downLeft);
       if constexpr ((families & (kStructural | kShear)) != 0) f = f + shifted<1>(rightBefore, onRight);
-      if constexpr ((families & kShear) != 0) f = f - load(to.diagonal, s, i - 1);
-      if constexpr ((families & kBend) != 0) f = f - shifted<2>(right2Before, onRight2);
-      rightBefore = onRight, right2Before = onRight2;
+      if constexpr ((families & kShear) != 0) {
+        f = f - load(to.diagonal, s, i - 1);
+        store(to.diagonalNext, s, i, downRight);
+      }
+      if constexpr ((families & kBend) != 0) f = f - shifted<2>(right2Before, across2);
+      rightBefore = onRight, right2Before = across2;
       store(to.own, kBlock, i - begin, f);
     }
     if (finish) task.finish(task, row, begin, end);
