@@ -61,6 +61,7 @@ SampledMotion sampledRun(const Scene& scene, const Method& method, const std::ve
   motion.steps = simulation.steps();
   motion.forceEvaluations = simulation.forceEvaluations();
   motion.largestStep = simulation.largestStep();
+  motion.ledger = simulation.ledger();
   return motion;
 }
 

@@ -25,6 +25,7 @@ struct SampledMotion {
   double largestStep = 0;  ///< s
   double energyDrift =
       0;  ///< largest size of the ledger's drift at a sample time, fraction of its scale; NaN without ledger
+  Ledger ledger;  ///< where the run ended; dissipated and drift only with SamplingOptions::ledger
 };
 
 /// What a run needs besides its scene and method.

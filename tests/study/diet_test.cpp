@@ -1,0 +1,165 @@
+// The model diet on scenes whose answers are known, with work priced by the particle, not by a clock.
+#include "study/diet.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/model_needs.h"
+#include "test_systems.h"
+#include "tyg/methods.h"
+
+namespace tyg::test {
+namespace {
+
+/// ns: a particle costs 4, a family of springs 2 more, its damping 1, drag 1; half of all that in float.
+double plainCost(const Scene& scene, int /*threads*/) {
+  double each = 4 + (scene.drag > 0 ? 1 : 0);
+  for (const SpringFamily& family : {scene.structural, scene.shear, scene.bend}) {
+    each += (family.present() ? 2 : 0) + (family.kd > 0 ? 1 : 0);
+  }
+  return 1e-9 * each * scene.columns * scene.rows * (scene.precision == Precision::Float ? 0.5 : 1);
+}
+
+Diet diet(const Scene& scene, double withinOfSize = 0.01) {
+  const Reference reference = makeReference(scene, 1, [](double) { return true; });
+  DietPlan plan;
+  plan.within = withinOfSize * reference.size;
+  plan.cost = plainCost;
+  return dietOf(scene, reference, plan);
+}
+
+const DietRow* find(const std::vector<DietRow>& rows, const std::string& words) {
+  const auto found = std::ranges::find_if(rows, [&](const DietRow& row) { return row.words.rfind(words, 0) == 0; });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+Scene fallingSheet() {
+  Scene scene = softSheet(Damping::Relative);
+  scene.pins.clear();
+  scene.drag = 0;
+  scene.duration = 0.5;
+  scene.dt = 0.01;
+  return scene;
+}
+
+TEST(Diet, AFlatSheetInFreeFallNeedsNoSpringsAtAll) {
+  constexpr double kRounding = 1e-12;  // m: half a second's fall is a metre
+  const Diet found = diet(fallingSheet());
+  for (const char* words : {"without bend", "without shear", "without spring damping"}) {
+    const DietRow* row = find(found.alone, words);
+    ASSERT_NE(row, nullptr) << words;
+    EXPECT_LT(row->lost.largest, kRounding) << words;
+    EXPECT_TRUE(row->within) << words;
+    EXPECT_GT(row->saved, 0.1) << words;
+    EXPECT_NE(find(found.together, words), nullptr) << words;
+  }
+  EXPECT_FALSE(found.leanest().scene.shear.present() || found.leanest().scene.bend.present());
+  EXPECT_EQ(found.leanest().scene.structural.kd, 0);
+}
+
+TEST(Diet, AChainNeedsNoShearButItsDamping) {
+  Scene scene = hangingChain(6, 0.1, 0.02, {200, 0.02});
+  scene.shear = {200, 0.02};
+  scene.pushes = {{{"bottom-left"}, {0.5, 0, 0}, 0, 0.2}};
+  scene.duration = 0.5;
+  scene.dt = 0.005;
+  const Diet found = diet(scene, 0.005);
+  const DietRow *shear = find(found.alone, "without shear"), *damping = find(found.alone, "without spring damping");
+  ASSERT_TRUE(shear != nullptr && damping != nullptr);
+  EXPECT_EQ(shear->lost.largest, found.written.lost.largest) << "a single column has no shear springs";
+  EXPECT_TRUE(shear->within);
+  EXPECT_FALSE(damping->within);
+  EXPECT_FALSE(found.leanest().scene.shear.present());
+  EXPECT_GT(found.leanest().scene.structural.kd, 0);
+}
+
+TEST(Diet, AHeavilyDampedSheetNeedsNoFourthOrder) {
+  Scene scene = softSheet(Damping::Relative);
+  scene.structural.kd = scene.shear.kd = scene.bend.kd = 20;
+  scene.duration = 0.5;
+  scene.dt = 0.01;
+  const Diet found = diet(scene);
+  EXPECT_LT(findMethod(found.leanest().scene.integrator).order, 4);
+  EXPECT_LT(found.leanest().seconds, 0.5 * found.written.seconds);
+}
+
+TEST(Diet, EveryRowTogetherIsWithinAndCheaperThanTheOneBefore) {
+  Scene scene = softSheet(Damping::Relative);
+  scene.dt = 0.01;
+  const Diet found = diet(scene, 0.02);
+  ASSERT_FALSE(found.together.empty());
+  double before = found.written.seconds;
+  for (const DietRow& row : found.together) {
+    EXPECT_TRUE(row.within) << row.words;
+    EXPECT_LT(row.seconds, 1.1 * before) << row.words;
+    before = row.seconds;
+  }
+  EXPECT_NEAR(found.leanest().saved, 1 - found.leanest().seconds / found.written.seconds, 1e-12);
+}
+
+TEST(Diet, AZeroToleranceKeepsEverything) {
+  Scene scene = softSheet(Damping::Relative);
+  scene.dt = 0.01;
+  const Diet found = diet(scene, 1e-9);
+  EXPECT_FALSE(found.written.within) << "rk4 at a hundredth of a second is further off than that";
+  EXPECT_TRUE(found.together.empty());
+  EXPECT_EQ(found.leanest().scene, scene);
+}
+
+TEST(Diet, AnObserverThatSaysStopEndsIt) {
+  const Scene scene = softSheet(Damping::Relative);
+  const Reference reference = makeReference(scene, 1, [](double) { return true; });
+  DietPlan plan;
+  plan.within = 0.01;
+  plan.cost = plainCost;
+  plan.observer = [looks = 0](double) mutable { return ++looks < 30; };
+  const Diet found = dietOf(scene, reference, plan);
+  EXPECT_TRUE(found.stopped);
+}
+
+TEST(DietChanges, StayInsideTheLimitsOfTheirMethods) {
+  Scene scene = softSheet(Damping::Relative);
+  scene.dt = 0.01;
+  for (const Change change : kChanges) {
+    for (const Changed& changed : changesOf(scene, change)) {
+      EXPECT_FALSE(changed.words.empty());
+      EXPECT_NE(changed.scene, scene) << changed.words;
+      EXPECT_GE(changed.scene.dt, scene.dt / 4) << changed.words;
+    }
+  }
+  scene.damping = Damping::Axial;
+  for (const Changed& changed : changesOf(scene, Change::Method)) EXPECT_NE(changed.scene.integrator, "imex");
+}
+
+TEST(ModelNeeds, AFallingSheetNeedsNothingFiner) {
+  constexpr double kFallen = 1e-6;  // m: the finer sheet runs within a millionth of the size
+  const Scene scene = fallingSheet();
+  const Reference reference = makeReference(scene, 1, [](double) { return true; });
+  const std::vector<Need> needs = needsOf(scene, reference, scene.duration, 1, [](double) { return true; });
+  ASSERT_EQ(needs.size(), 2U);
+  for (const Need& need : needs) EXPECT_FALSE(need.tooLean(kFallen)) << need.words << " " << need.change.rms;
+}
+
+TEST(ModelNeeds, ACoarseHangingSheetAndALongStepAreToldApart) {
+  Scene scene = softSheet(Damping::Relative);
+  scene.dt = 0.02;
+  const Reference reference = makeReference(scene, 1, [](double) { return true; });
+  const std::vector<Need> needs = needsOf(scene, reference, scene.duration, 1, [](double) { return true; });
+  ASSERT_EQ(needs.size(), 2U);
+  const double within = 0.005 * reference.size;
+  for (const Need& need : needs) EXPECT_EQ(need.tooLean(within), need.kind == Need::Kind::Sheet) << need.words;
+}
+
+TEST(ModelNeeds, ASheetHungByTwoCornersHangsByPointsAndOneHungByAnEdgeDoesNot) {
+  Scene scene = emptyWorld(4, 4);
+  scene.pins = {{"top-left"}, {"top-right"}};
+  EXPECT_TRUE(hangsByPoints(scene));
+  scene.pins = {{"top"}};
+  EXPECT_FALSE(hangsByPoints(scene));
+  EXPECT_FALSE(hangsByPoints(hangingChain(4, 0.1, 1, {}))) << "a chain is held at a point and nothing else";
+}
+
+}  // namespace
+}  // namespace tyg::test
