@@ -10,7 +10,7 @@ pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
 pkg_check_modules(glut REQUIRED IMPORTED_TARGET glut)  # FreeGLUT's own CMake file is broken on Debian 12
 pkg_check_modules(x11 REQUIRED IMPORTED_TARGET x11)   # freeglut itself says nothing of lost focus
 pkg_check_modules(egl REQUIRED IMPORTED_TARGET egl)
-pkg_check_modules(osmesa IMPORTED_TARGET osmesa)       # gone from Mesa 25.1: EGL surfaceless serves there
+pkg_check_modules(osmesa osmesa)                       # gone from Mesa 25.1: EGL surfaceless serves there
 
 # Single-header image code; Debian's package has no CMake file.
 find_path(STB_INCLUDE_DIR stb_image_write.h PATH_SUFFIXES stb REQUIRED)
@@ -33,6 +33,8 @@ target_link_libraries(tyg_glad PUBLIC ${CMAKE_DL_LIBS})
 add_library(tyg_offscreen INTERFACE)
 target_link_libraries(tyg_offscreen INTERFACE PkgConfig::egl)
 if(osmesa_FOUND)
-  target_link_libraries(tyg_offscreen INTERFACE PkgConfig::osmesa)
+  # Its header alone: the library is opened when it is first wanted.
+  target_include_directories(tyg_offscreen SYSTEM INTERFACE ${osmesa_INCLUDE_DIRS})
+  target_link_libraries(tyg_offscreen INTERFACE ${CMAKE_DL_LIBS})
   target_compile_definitions(tyg_offscreen INTERFACE TYG_HAVE_OSMESA=1)
 endif()

@@ -1,16 +1,49 @@
-// Off-screen drawing into plain memory by OSMesa, where it was found. <GL/osmesa.h> brings its own OpenGL header, which
-// newer Mesa does not let stand beside the loader's, so this file never includes the loader.
+// Off-screen drawing into plain memory by OSMesa, where its header was found. <GL/osmesa.h> brings its own OpenGL
+// header, which newer Mesa does not let stand beside the loader's, so this file never includes the loader. The library
+// is opened when it is first wanted: linked, its compiler (LLVM) would cost every start of the program tens of
+// milliseconds.
 #ifdef TYG_HAVE_OSMESA
 
 #include <GL/osmesa.h>
+#include <dlfcn.h>
 
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "gfx/offscreen_kinds.h"
 
 namespace tyg {
 namespace {
+
+/// The functions of the library, which once opened stays so: contexts and drivers hold on to it.
+struct OsMesaLibrary {
+  decltype(&OSMesaCreateContextAttribs) createContext = nullptr;
+  decltype(&OSMesaMakeCurrent) makeCurrent = nullptr;
+  decltype(&OSMesaDestroyContext) destroyContext = nullptr;
+  decltype(&OSMesaGetProcAddress) find = nullptr;
+
+  OsMesaLibrary() {
+    void* library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
+    if (library == nullptr) throw std::runtime_error(std::string("its library does not load: ") + dlerror());
+    load(library, "OSMesaCreateContextAttribs", createContext);
+    load(library, "OSMesaMakeCurrent", makeCurrent);
+    load(library, "OSMesaDestroyContext", destroyContext);
+    load(library, "OSMesaGetProcAddress", find);
+  }
+
+ private:
+  template <class Function>
+  static void load(void* library, const char* name, Function& function) {
+    function = reinterpret_cast<Function>(dlsym(library, name));
+    if (function == nullptr) throw std::runtime_error(std::string("its library has no ") + name);
+  }
+};
+
+const OsMesaLibrary& osMesa() {
+  static const OsMesaLibrary library;
+  return library;
+}
 
 class OsMesaOffscreen final : public Offscreen {
  public:
@@ -27,15 +60,15 @@ class OsMesaOffscreen final : public Offscreen {
                           OSMESA_CONTEXT_MINOR_VERSION,
                           3,
                           0};
-    context_ = OSMesaCreateContextAttribs(wanted, nullptr);
+    context_ = osMesa().createContext(wanted, nullptr);
     if (context_ == nullptr) {
       throw std::runtime_error("it cannot make an OpenGL 3.3 core context");
     }
     try {
-      if (OSMesaMakeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, width, height) == GL_FALSE) {
+      if (osMesa().makeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, width, height) == GL_FALSE) {
         throw std::runtime_error("it cannot draw into a picture of this size");
       }
-      loadOpenGl(OSMesaGetProcAddress);
+      loadOpenGl(osMesa().find);
     } catch (...) {
       release();
       throw;
@@ -50,8 +83,8 @@ class OsMesaOffscreen final : public Offscreen {
  private:
   // While it is current the context points into pixels_: it must go first, or a later EGL context crashes.
   void release() {
-    OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
-    OSMesaDestroyContext(context_);
+    osMesa().makeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+    osMesa().destroyContext(context_);
   }
 
   std::vector<unsigned char> pixels_;
