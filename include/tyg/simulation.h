@@ -79,6 +79,8 @@ class Simulation {
   /// Does at their ticks what a log says, from now (tick 0) on; `methods` is where its method names are looked up.
   /// Throws InputError where the log does not fit this simulation.
   void replay(const PushLog& log, std::span<const Method> methods);
+  /// Does from the next tick on what was done to another simulation of the same sheet, whenever that was.
+  void apply(const LogEvent& event, std::span<const Method> methods);
 
   [[nodiscard]] double time() const;         ///< s
   [[nodiscard]] std::int64_t ticks() const;  ///< calls of tick() so far

@@ -305,17 +305,18 @@ struct Simulation::Body {
     Run& r = run();
     while (r.scriptNext < r.script.size() && r.script[r.scriptNext].tick <= r.ticks) {
       const LogEvent event = r.script[r.scriptNext++];
-      switch (event.kind) {
-        case LogEvent::Kind::Push:
-          push(event.particle, event.force, event.ticks);
-          break;
-        case LogEvent::Kind::Method:
-          useMethod(replayMethod(event.method));
-          break;
-        case LogEvent::Kind::Step:
-          useStep(event.dt);
-          break;
-      }
+      play(event);
+    }
+  }
+
+  void play(const LogEvent& event) {
+    switch (event.kind) {
+      case LogEvent::Kind::Push:
+        return push(event.particle, event.force, event.ticks);
+      case LogEvent::Kind::Method:
+        return useMethod(replayMethod(event.method));
+      case LogEvent::Kind::Step:
+        return useStep(event.dt);
     }
   }
 };
@@ -358,6 +359,11 @@ void Simulation::useStep(double dt) {
 }
 
 void Simulation::keepGoing(bool yes) { body_->settings.keepGoing = yes; }
+
+void Simulation::apply(const LogEvent& event, std::span<const Method> methods) {
+  body_->replayMethods = methods;
+  body_->play(event);
+}
 
 void Simulation::replay(const PushLog& log, std::span<const Method> methods) {
   refuseUnfitLog(log, body_->run().log);

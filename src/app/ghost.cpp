@@ -1,0 +1,162 @@
+// Following, going back, measuring.
+#include "app/ghost.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tyg/methods.h"
+
+namespace tyg {
+namespace {
+
+/// Of the sheet's size, for each step of the reference. Over all built-in scenes it then is within 1e-9 of the size
+/// from the truth, at 6 to 21 force evaluations a tick; the scenes' own settings are at 1e-8 or worse, but for two
+/// whose steps are a tenth of what would do.
+constexpr double kReferenceTolerance = 1e-9;
+constexpr double kTwinTolerance = 10 * kReferenceTolerance;
+/// Of the size: a floor above this one could be seen, if not by eye, then on the scale of colours.
+constexpr double kSeenFloor = 1e-5;
+
+constexpr std::int64_t kStride = 8;  // ticks between looks at the clock
+constexpr std::size_t kMostCheckpoints = 16;
+constexpr std::int64_t kFirstSpacing = 64;  // ticks between checkpoints; doubled whenever there are too many
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+Ghost::Ghost(const Simulation& live, const Method* second)
+    : second_(second), method_(second != nullptr ? second : &findMethod("dopri54")), horizon_(kNone) {
+  begin(live);
+}
+
+/// The live scene as the ghost runs it.
+Scene Ghost::sceneFor(const Simulation& live) const {
+  Scene scene = live.scene();
+  scene.integrator = method_->name;
+  if (second_ != nullptr) return scene;
+  scene.precision = Precision::Double;
+  scene.tolerance = kReferenceTolerance * live.sheet().size();
+  return scene;
+}
+
+void Ghost::begin(const Simulation& live) {
+  liveScene_ = live.scene();
+  scene_ = sceneFor(live);
+  const Settings settings{.threads = live.threads()};
+  main_.emplace(scene_, *method_, settings);
+  twin_.reset();
+  if (second_ == nullptr) {
+    Scene looser = scene_;
+    looser.tolerance = kTwinTolerance * live.sheet().size();
+    twin_.emplace(looser, *method_, settings);
+  }
+  played_.clear();
+  checkpoints_.clear();
+  ticksBetweenCheckpoints_ = kFirstSpacing;
+  keepCheckpoint();
+  gap_.reset();
+  horizon_ = kNone;
+  positions_.resize(3 * static_cast<std::size_t>(live.sheet().count()));
+  distances_.clear();
+  main_->copyPositions(positions_);
+}
+
+std::int64_t Ghost::forceEvaluations() const {
+  return main_->forceEvaluations() + (twin_ ? twin_->forceEvaluations() : 0);
+}
+
+/// The live log grows at its end only, unless the live simulation went back in time: then it is shorter than before.
+bool Ghost::hasStrayed(const Simulation& live) const {
+  const std::vector<LogEvent>& events = live.log().events;
+  if (live.ticks() < main_->ticks() || events.size() < played_.size()) return true;
+  return !played_.empty() && !(events[played_.size() - 1] == played_.back());
+}
+
+/// To the last checkpoint that is part of the live one's past.
+void Ghost::goBack(const Simulation& live) {
+  const std::vector<LogEvent>& events = live.log().events;
+  const auto same = static_cast<std::size_t>(std::ranges::mismatch(events, played_).in2 - played_.begin());
+  while (checkpoints_.back().tick > live.ticks() || checkpoints_.back().events > same) checkpoints_.pop_back();
+  const Checkpoint& checkpoint = checkpoints_.back();  // the first one is the start, which fits always
+  main_->restore(checkpoint.main);
+  if (twin_) twin_->restore(*checkpoint.twin);
+  played_.resize(checkpoint.events);
+  gap_.reset();
+  distances_.clear();
+  if (!(horizon_ <= main_->time())) horizon_ = kNone;
+}
+
+void Ghost::keepCheckpoint() {
+  if (checkpoints_.size() == kMostCheckpoints) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < checkpoints_.size(); k += 2) checkpoints_[kept++] = std::move(checkpoints_[k]);
+    checkpoints_.resize(kept);
+    ticksBetweenCheckpoints_ *= 2;
+  }
+  Checkpoint& made = checkpoints_.emplace_back();
+  made.tick = main_->ticks();
+  made.events = played_.size();
+  made.main = main_->save();
+  if (twin_) made.twin = twin_->save();
+}
+
+/// Some ticks, no farther than to the next thing that happened to the live cloth.
+void Ghost::stride(const Simulation& live) {
+  const std::vector<LogEvent>& events = live.log().events;
+  while (played_.size() < events.size() && events[played_.size()].tick <= main_->ticks()) {
+    const LogEvent& event = events[played_.size()];
+    if (event.kind != LogEvent::Kind::Method) {
+      main_->apply(event, methods());
+      if (twin_) twin_->apply(event, methods());
+    }
+    played_.push_back(event);
+  }
+  std::int64_t end = std::min(live.ticks(), main_->ticks() + kStride);
+  if (played_.size() < events.size()) end = std::min(end, events[played_.size()].tick);
+  const std::int64_t count = end - main_->ticks();
+  main_->tick(count);
+  if (twin_) twin_->tick(count);
+  if (main_->ticks() - checkpoints_.back().tick >= ticksBetweenCheckpoints_) keepCheckpoint();
+}
+
+void Ghost::follow(const Simulation& live, double seconds, const Clock& clock) {
+  if (live.scene() != liveScene_) begin(live);
+  if (hasStrayed(live)) goBack(live);
+  const std::int64_t before = main_->ticks();
+  const double start = clock();
+  while (main_->ticks() < live.ticks() && main_->check() == Status::Ok) {
+    stride(live);
+    if (clock() - start >= seconds) break;
+  }
+  behind_ = main_->ticks() == live.ticks() ? 0 : std::max(0.0, live.time() - main_->time());
+  if (main_->ticks() == before && gap_) return;
+  main_->copyPositions(positions_);
+  if (main_->ticks() == live.ticks()) measure(live);
+}
+
+void Ghost::measure(const Simulation& live) {
+  const int count = live.sheet().count();
+  distances_.resize(static_cast<std::size_t>(count));
+  double square = 0, largest = 0, twinSquare = 0;
+  const auto squareBetween = [](const Vec3& a, const Vec3& b) {
+    const double x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
+    return x * x + y * y + z * z;
+  };
+  for (int particle = 0; particle < count; ++particle) {
+    const Vec3 here = main_->position(particle);
+    const double apart = squareBetween(live.position(particle), here);
+    square += apart;
+    largest = std::max(largest, apart);
+    distances_[static_cast<std::size_t>(particle)] = static_cast<float>(std::sqrt(apart));
+    if (twin_) twinSquare += squareBetween(twin_->position(particle), here);
+  }
+  GhostGap gap{.time = main_->time(), .rms = std::sqrt(square / count), .largest = std::sqrt(largest)};
+  // Where both take whole ticks as steps they are one, and each of their steps is within the tolerance.
+  if (twin_) gap.floor = std::max(std::sqrt(twinSquare / count), scene_.tolerance);
+  if (!gap.means() && gap.floor > kSeenFloor * live.sheet().size() && std::isnan(horizon_)) horizon_ = gap.time;
+  gap_ = gap;
+}
+
+}  // namespace tyg

@@ -1,0 +1,86 @@
+// A second simulation that follows the live one: its reference solution, or another method in the same steps. It gets
+// every push from the live one's log, goes with it back in time, and knows how far apart the two are.
+// Must not know: windows, how anything is drawn; time comes from the clock it is given.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "tyg/simulation.h"
+
+namespace tyg {
+
+/// How far the live cloth is from its ghost, at a moment when both have the same time.
+struct GhostGap {
+  double time = 0;     ///< s
+  double rms = 0;      ///< m, over all particles
+  double largest = 0;  ///< m, of any particle
+  /// m: how far the reference itself may be off, about; 0 beside a second method. A twin of the reference with ten
+  /// times its tolerance follows it: whatever the cloth makes of small errors, it makes of their distance.
+  double floor = 0;
+  /// Is the distance clearly more than what the reference itself may be off?
+  [[nodiscard]] bool means() const { return rms >= 10 * floor; }
+};
+
+class Ghost {
+ public:
+  using Clock = std::function<double()>;  ///< s, from any start
+
+  /// Of the live simulation's reference where `second` is null, else of that method with the live one's steps.
+  /// Throws InputError where that method does not take the scene.
+  Ghost(const Simulation& live, const Method* second);
+
+  /// Comes up to the live simulation's time, or as near as `seconds` of the clock allow (one stride at least). Where
+  /// the live one went back in time or began anew, so does the ghost; where its scene changed, it begins anew.
+  void follow(const Simulation& live, double seconds, const Clock& clock);
+
+  [[nodiscard]] const Method& method() const { return *method_; }
+  [[nodiscard]] bool isReference() const { return second_ == nullptr; }
+  [[nodiscard]] double tolerance() const { return scene_.tolerance; }  ///< m, of the reference's steps
+  [[nodiscard]] double time() const { return main_->time(); }          ///< s
+  /// s from the ghost to the live cloth at the last follow(); 0: in step.
+  [[nodiscard]] double behind() const { return behind_; }
+  [[nodiscard]] Status status() const { return main_->status(); }
+  /// Force evaluations by the ghost (and its twin) since it began; goes back with it in time.
+  [[nodiscard]] std::int64_t forceEvaluations() const;
+
+  /// Of the last moment in step; none before that, and none since a return in time until they meet again.
+  [[nodiscard]] const std::optional<GhostGap>& gap() const { return gap_; }
+  /// The ghost's x, y, z, m.
+  [[nodiscard]] std::span<const float> positions() const { return positions_; }
+  /// The distance of each particle at gap()'s moment, m; empty without a gap.
+  [[nodiscard]] std::span<const float> distances() const { return distances_; }
+  /// s: the first time at which the gap no longer meant anything though it could be seen; NaN while it does.
+  [[nodiscard]] double horizon() const { return horizon_; }
+
+ private:
+  /// A moment to go back to.
+  struct Checkpoint {
+    std::int64_t tick = 0;
+    std::size_t events = 0;  ///< of the live log, played by then
+    Snapshot main;
+    std::optional<Snapshot> twin;
+  };
+  void begin(const Simulation& live);
+  [[nodiscard]] Scene sceneFor(const Simulation& live) const;
+  [[nodiscard]] bool hasStrayed(const Simulation& live) const;
+  void goBack(const Simulation& live);
+  void keepCheckpoint();
+  void stride(const Simulation& live);
+  void measure(const Simulation& live);
+
+  const Method *second_, *method_;
+  Scene liveScene_, scene_;  ///< as the live one was begun; as the ghost runs it
+  std::optional<Simulation> main_, twin_;
+  std::vector<LogEvent> played_;  ///< of the live log
+  std::vector<Checkpoint> checkpoints_;
+  std::int64_t ticksBetweenCheckpoints_ = 0;
+  double behind_ = 0, horizon_;
+  std::optional<GhostGap> gap_;
+  std::vector<float> positions_, distances_;
+};
+
+}  // namespace tyg
