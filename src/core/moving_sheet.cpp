@@ -1,6 +1,9 @@
 // See moving_sheet.h.
 #include "core/moving_sheet.h"
 
+#include <optional>
+
+#include "core/live_spectrum.h"
 #include "tyg/workers.h"
 
 namespace tyg {
@@ -13,6 +16,7 @@ class MovingSheetOf final : public MovingSheet {
       : scene_(scene),
         sheet_(sheet),
         state_(startState<T>(sheet)),
+        workers_(workers),
         forces_(scene, sheet, workers),
         integrator_(method.make<T>(scene, sheet)) {
     forces_.trackDissipation(trackDissipation);
@@ -32,6 +36,10 @@ class MovingSheetOf final : public MovingSheet {
   void addPush(int particle, const Vec3& force) override { forces_.addPush(particle, force); }
   void reset() override { integrator_->reset(); }
 
+  double liveStableStep(const Method& method) override {
+    if (!spectrum_) spectrum_.emplace(scene_, sheet_, workers_);
+    return spectrum_->stableStep(method, state_);
+  }
   [[nodiscard]] StoredEnergy energy() const override { return forces_.energy(state_); }
   [[nodiscard]] double dissipated() const override { return forces_.dissipated(); }
   [[nodiscard]] std::int64_t evaluations() const override { return forces_.evaluations(); }
@@ -75,8 +83,10 @@ class MovingSheetOf final : public MovingSheet {
   const Scene& scene_;
   const Sheet& sheet_;
   State<T> state_;
+  Workers& workers_;
   Forces<T> forces_;
   std::unique_ptr<Integrator<T>> integrator_;
+  std::optional<LiveSpectrum<T>> spectrum_;  // with forces of its own: neither counts nor bits of the motion change
 };
 
 }  // namespace

@@ -29,6 +29,8 @@ class MovingSheet {
   /// To be called after any edit of pushes or state.
   virtual void reset() = 0;
 
+  /// See Simulation::liveStableStep.
+  virtual double liveStableStep(const Method& method) = 0;
   [[nodiscard]] virtual StoredEnergy energy() const = 0;
   [[nodiscard]] virtual double dissipated() const = 0;
   [[nodiscard]] virtual std::int64_t evaluations() const = 0;

@@ -391,6 +391,7 @@ Vec3 Simulation::velocity(int particle) const { return body_->moving->velocity(p
 void Simulation::copyPositions(std::span<float> xyz) const { body_->moving->copyPositions(xyz); }
 std::uint64_t Simulation::hash() const { return body_->moving->hash(); }
 Status Simulation::status() const { return body_->run().status; }
+double Simulation::liveStableStep() { return body_->moving->liveStableStep(method()); }
 double Simulation::alarmTime() const { return body_->run().alarmTime; }
 
 Ledger Simulation::ledger() {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <cstdlib>
 #include <new>
 
@@ -47,6 +48,18 @@ TEST(Allocation, DoesNotGrowWithTheNumberOfSteps) {
     const long few = allocatedBy(128 * scene.dt), many = allocatedBy(768 * scene.dt);
     EXPECT_LE(many, few) << method.name;
     EXPECT_GE(simulation.steps(), 100) << method.name;
+  }
+}
+
+TEST(Allocation, HappensInTheFirstCallForTheLiveLimitOnly) {
+  for (const Method& method : methods()) {
+    Simulation simulation(loadScene("curtain"), method);
+    const double first = simulation.liveStableStep();
+    const long before = allocations;
+    for (int call = 0; call < 5; ++call) {
+      EXPECT_EQ(std::isnan(simulation.liveStableStep()), std::isnan(first)) << method.name;
+    }
+    EXPECT_EQ(allocations, before) << method.name;
   }
 }
 
