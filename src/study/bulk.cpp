@@ -27,10 +27,6 @@ std::vector<Bulk> bulkOf(const SampledMotion& motion) {
   return all;
 }
 
-bool BulkDistance::within(const BulkDistance& band) const {
-  return centre <= band.centre && gyration <= band.gyration && energy <= band.energy;
-}
-
 BulkDistance bulkDistance(std::span<const Bulk> a, std::span<const Bulk> b, std::size_t first) {
   if (a.size() != b.size()) {
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();

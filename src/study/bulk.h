@@ -22,8 +22,6 @@ std::vector<Bulk> bulkOf(const SampledMotion& motion);
 struct BulkDistance {
   double centre = 0, gyration = 0;  ///< m
   double energy = 0;                ///< J
-  /// Is each of the three at most as large as in `band`? No where a number is missing.
-  [[nodiscard]] bool within(const BulkDistance& band) const;
 };
 
 /// The largest distances from sample `first` on; NaN where one of the motions ended before the other.

@@ -38,21 +38,23 @@ std::vector<std::string> pastHorizonLines(const std::vector<PastHorizon>& runs) 
   std::vector<std::string> lines;
   for (const Precision precision : kPrecisions) {
     BulkDistance most, band;
-    int count = 0, inside = 0;
+    int count = 0, centres = 0, gyrations = 0, energies = 0;
     for (const PastHorizon& run : runs) {
       if (run.row.precision != precision) continue;
       ++count;
-      inside += run.distance.within(run.band) ? 1 : 0;
+      centres += run.distance.centre <= run.band.centre ? 1 : 0;
+      gyrations += run.distance.gyration <= run.band.gyration ? 1 : 0;
+      energies += run.distance.energy <= run.band.energy ? 1 : 0;
       most = larger(most, run.distance);
       band = larger(band, run.band);
     }
     if (count == 0) continue;
     std::ostringstream text;
     text << std::setprecision(2) << "past the horizon of " << count << (count == 1 ? " run in " : " runs in ")
-         << nameOf(precision) << ": centre of mass at most " << most.centre
-         << " m from the reference's, gyration radius " << most.gyration << " m, energy " << most.energy
-         << " J; a twin's: " << band.centre << " m, " << band.gyration << " m, " << band.energy << " J; " << inside
-         << " within the twin's spread in all three";
+         << nameOf(precision) << ", distance from the reference (a twin's; runs within it): centre of mass "
+         << most.centre << " m (" << band.centre << "; " << centres << "), gyration radius " << most.gyration << " m ("
+         << band.gyration << "; " << gyrations << "), energy " << most.energy << " J (" << band.energy << "; "
+         << energies << ")";
     lines.push_back(text.str());
   }
   return lines;

@@ -22,8 +22,8 @@ struct PastHorizon {
 /// energy_band_J.
 std::string pastHorizonCsv(const std::vector<PastHorizon>& runs);
 
-/// One line for each precision: of how many runs the horizon was passed, how far they are from the reference as wholes,
-/// and how many stay within the twin's spread.
+/// One line for each precision: of how many runs the horizon was passed, how far they are at most from the reference as
+/// wholes, how far the twin is, and how many runs are no further than it.
 std::vector<std::string> pastHorizonLines(const std::vector<PastHorizon>& runs);
 
 /// One line for each precision in which some run of `duration` seconds has a shorter horizon: from when to when.

@@ -76,6 +76,7 @@ class Script {
             "error(wanted) = wanted && strcol(16) eq 'ok' && $11 > 0 && $11 / size <= most ? $11 / size : NaN\n"
             "trusted(wanted) = error(wanted && $15 >= whole)\n"
             "past(wanted) = error(wanted && $15 < whole && $11 >= $14)   # its horizon\n"
+            "sure(wanted) = error(wanted && $11 >= 10 * $14)\n"
             "below(wanted) = error(wanted && $15 < whole && $11 < $14)   # the floor\n"
             "drift(wanted) = wanted && strcol(16) eq 'ok' && $13 > 0 ? $13 : NaN\n"
             "failure(wanted) = wanted && (strcol(16) eq 'unstable' || strcol(16) eq 'not-finite') ? failed : NaN\n"
@@ -119,7 +120,7 @@ class Script {
     const std::vector<std::string> horizons = horizonLines(chart_.rows, chart_.duration);
     for (const std::string& words : horizons) line("    " + words);
     if (!horizons.empty()) line("    past T* compare the energy's drift, below left, and past_horizon.csv");
-    entry(kPlus, 1.5, "#888888", "below the floor: rounding, not the method");
+    entry(kPlus, 1.5, "#888888", "below the floor: may be rounding, not the method");
     entry(kCross, 2.0, kInk, "failed");
     std::ostringstream budget;
     budget << "finer steps take over " << chart_.runBudget << " s a run";
@@ -201,7 +202,8 @@ class Script {
     const double width = panel.right - panel.left, height = panel.bottom - panel.top;
     const double xDecade = width / std::log10(panel.x.high / panel.x.low);
     const double yDecade = height / std::log10(panel.y.high / panel.y.low);
-    const Pixel start{panel.left + 0.05 * width, panel.bottom - 0.2 * height};
+    const double clear = std::min(panel.bottom - 45, heightAt(panel, chart_.floorOfDouble / chart_.size) - 75);
+    const Pixel start{panel.left + 0.05 * width, std::min(panel.bottom - 0.2 * height, clear - yDecade)};
     for (const int order : {1, 2, 4}) {
       const Pixel end{start.x + xDecade / order, start.y + yDecade};
       pen_.line(start, end, {.colour = kGrey});
@@ -339,9 +341,13 @@ class Script {
   void earlier(const ChartPanel& panel) {
     for (const std::string& method : methods_) {
       for (const char* precision : {"float", "double"}) {
-        out_ << ", \\\n       'compare.csv' skip 1 using ($" << (inSeconds(panel) ? 10 : 9) << " / "
-             << *chart_.comparedDuration << "):(" << (ofErrors(panel) ? "error" : "drift") << "(is("
-             << gnuplotQuoted(method) << ",'" << precision << "'))) with linespoints pt 7 ps 1.2 lw 7 lc rgb '#c8c8c8'";
+        const auto plot = [&](const char* y, const char* with) {
+          out_ << ", \\\n       'compare.csv' skip 1 using ($" << (inSeconds(panel) ? 10 : 9) << " / "
+               << *chart_.comparedDuration << "):(" << y << "(is(" << gnuplotQuoted(method) << ",'" << precision
+               << "'))) with " << with << " lc rgb '#c8c8c8'";
+        };
+        plot(ofErrors(panel) ? "error" : "drift", "lines lw 7");
+        plot(ofErrors(panel) ? "sure" : "drift", "points pt 7 ps 1.2");
       }
     }
   }

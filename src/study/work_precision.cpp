@@ -135,7 +135,9 @@ class StudyMaker {
     const WorkRow& row = runs_.back().row;
     if (row.status == RowStatus::TooSlow) return true;
     if (row.status != RowStatus::Ok) return false;
-    if (row.rmsError < std::max(row.floor, plan_.lowestError)) return true;
+    // Not even double tells such errors. Float goes on past its own floor, which is the worst that rounding may do:
+    // what it does is seen where its curve ends.
+    if (row.rmsError < std::max(reference_.floorOf(Precision::Double), plan_.lowestError)) return true;
     // Rounding, not the method, is what is left where two finer rungs gain nothing near the floor.
     constexpr double kNearTheFloor = 1000, kNoGain = 0.7;
     if (rungs < 3 || !(row.rmsError < kNearTheFloor * row.floor)) return false;

@@ -16,7 +16,7 @@ struct StudyPlan {
   std::vector<const Method*> methods;
   std::vector<Precision> precisions{Precision::Double, Precision::Float};
   double runBudget = 1;           ///< s that one run may take; a ladder ends with the first run that takes longer
-  double lowestError = 0;         ///< m; a ladder ends below it, and below the floor
+  double lowestError = 0;         ///< m; a ladder ends below it, and below the floor of double
   int fewestRepeats = 3;          ///< of each timing
   double repeatSeconds = 0.2;     ///< short runs are timed more often, until this much has gone into them
   double roundsBudget = 50;       ///< s for all repeats together: no further run begins after it

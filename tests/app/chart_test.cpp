@@ -61,6 +61,42 @@ TEST(Chart, TheHorizonShortensEveryRun) {
   EXPECT_TRUE(holds(contentsOf(folder / "chart.gp"), "duration = 0.1 "));
 }
 
+TEST(Chart, AnErrorRangeAndAPrecisionNarrowItDownAndOldFilesGo) {
+  const Folder folder;
+  folder.write("past_horizon.csv", "of an earlier chart");
+  const Outcome outcome = tyg(kSmall + "--precision double --error-range 1e-4:1 --out " + (folder / "").string());
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_FALSE(holds(contentsOf(folder / "rows.csv"), ",float,"));
+  EXPECT_TRUE(holds(contentsOf(folder / "chart.gp"), "set yrange [0.0001:"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "past_horizon.csv")) << "no run came near its floor";
+}
+
+TEST(Chart, AMethodThatCannotTakeTheSceneIsLeftOutAndSaysSo) {
+  const Folder folder;
+  const std::string scene = folder
+                                .write("axial.toml", R"(
+title = "Axial"
+[sheet]
+columns = 2
+rows = 2
+spacing = 0.5
+particle_mass = 0.1
+pins = ["top-left"]
+[springs]
+damping = "axial"
+structural = { ks = 100, kd = 0.1 }
+[run]
+duration = 0.2
+integrator = "rk4"
+dt = 0.01
+)")
+                                .string();
+  const Outcome outcome = tyg("chart " + scene + " --quick --methods imex,leapfrog --out " + (folder / "").string());
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(holds(outcome.err, "left out: imex")) << outcome.err;
+  EXPECT_FALSE(holds(contentsOf(folder / "rows.csv"), ",imex,"));
+}
+
 TEST(Chart, WhatIsPastTheHorizonIsToldAndComparedInAFileOfItsOwn) {
   const Folder folder;
   // A chain stands on its pin: it falls to a side that rounding decides.
