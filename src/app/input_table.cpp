@@ -11,7 +11,11 @@ using enum InputAction;
 
 constexpr std::array kInputs{
     Input{' ', StartOrPause, "space", "start, pause"},
-    Input{'.', Step, ".", "one step"},
+    Input{',', StepBack, ",", "one step back, on"},
+    Input{'.', Step, ".", "one step back, on"},
+    Input{';', Slower, ";", "slower, faster"},
+    Input{'\'', Faster, "'", "slower, faster"},
+    Input{'J', Again, "J", "again, slowly"},
     Input{'R', Restart, "R", "restart"},
     Input{kLeftButton, Poke, "left click", "push, or hold"},
     Input{kRightButton, Look, "right drag", "look around"},
@@ -23,6 +27,11 @@ constexpr std::array kInputs{
     Input{'Q', MoveDown, "Q", "down, up"},
     Input{'E', MoveUp, "E", "down, up"},
     Input{'F', FrameCloth, "F", "find the cloth"},
+    Input{'[', SmallerStep, "[", "smaller, larger step"},
+    Input{']', LargerStep, "]", "smaller, larger step"},
+    Input{'V', SafeStep, "V", "a safe step"},
+    Input{'M', HoldingMethod, "M", ""},
+    Input{kEnterKey, RunOn, "Enter", ""},
     Input{'H', ShowHelp, "H", "these keys"},
     Input{kEscapeKey, Leave, "Esc", "leave"},
     Input{'1', ChooseMethod, "1", "method"},
@@ -62,6 +71,7 @@ std::size_t methodPlace(KeyCode key) {
 std::vector<HelpLine> helpLines(std::span<const std::string_view> methods) {
   std::vector<HelpLine> lines;
   for (const Input& input : inputTable()) {
+    if (input.help.empty()) continue;
     if (input.action == ChooseMethod) {
       const std::size_t place = methodPlace(input.key);
       if (place >= methods.size()) continue;

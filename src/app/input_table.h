@@ -14,9 +14,10 @@ namespace tyg {
 /// Driving the cloth and the camera comes first, then (from ChooseMethod on) choices, which the help shows apart.
 // clang-format off
 enum class InputAction {
-  StartOrPause, Step, Restart,
+  StartOrPause, StepBack, Step, Slower, Faster, Again, Restart,
   Poke, Look, Approach,
   MoveForward, MoveLeft, MoveBack, MoveRight, MoveDown, MoveUp, FrameCloth,
+  SmallerStep, LargerStep, SafeStep, HoldingMethod, RunOn,
   ShowHelp, Leave,
   ChooseMethod,
   ShowStructural, ShowShear, ShowBend, ShowParticles, ShowPins, ShowGround, ChangeBackground,
@@ -30,7 +31,7 @@ struct Input {
   KeyCode key;
   InputAction action;
   std::string_view keyName;
-  std::string_view help;
+  std::string_view help;  ///< empty: the window offers it where it is of use
 };
 /// Every input, in the order of the help. Those that share a help text are neighbours and share its line.
 std::span<const Input> inputTable();

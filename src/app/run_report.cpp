@@ -9,8 +9,8 @@
 #include <limits>
 #include <vector>
 
+#include "app/cure.h"
 #include "app/json.h"
-#include "study/stability.h"
 #include "tyg/methods.h"
 
 namespace tyg {
@@ -30,30 +30,6 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 std::string name(const Method& method) { return std::string(method.name); }
 
 const char* precisionName(const Scene& scene) { return scene.precision == Precision::Float ? "float" : "double"; }
-
-/// Two significant digits, rounded down: what is advised must not lie above what was worked out.
-double roundedDown(double step) {
-  const double unit = std::pow(10.0, std::floor(std::log10(step)) - 1);
-  return std::floor(step / unit * (1 + 1e-12)) * unit;
-}
-
-/// Some methods refuse some scenes.
-bool takes(const Method& method, const Scene& scene) {
-  try {
-    return method.makeDouble(scene, makeSheet(scene)) != nullptr;
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
-/// The first method, in the table's order, that is predicted to stay stable with this step.
-const Method* methodThatHolds(const Scene& scene, const Method& failed, double step) {
-  for (const Method& method : methods()) {
-    const double limit = restLatticeLimit(scene, method);
-    if (method.name != failed.name && !(limit < 1.05 * step) && takes(method, scene)) return &method;
-  }
-  return nullptr;
-}
 
 std::string stableStepLine(const FinishedRun& run) {
   if (std::isnan(run.stableStep)) return "stable step   no limit";

@@ -1,4 +1,4 @@
-// The viewer's states and inputs.
+// The viewer's inputs, camera and frames. Its way through time is in viewer_time.cpp.
 #include "app/viewer.h"
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/run_report.h"
+#include "app/room.h"
 #include "tyg/methods.h"
 #include "view/picking.h"
 
@@ -24,11 +24,6 @@ constexpr double kLeastPush = 3;
 constexpr double kEarthGravity = 9.81;    // m/s2: what a push is measured by even where a scene has no gravity
 constexpr double kPushSeenSeconds = 0.3;  // wall time that a push stays on screen
 
-/// The simulation may take this long a frame, or as long as everything else takes where that is longer.
-constexpr double kSimulatingSeconds = 0.012;
-/// The trial run that finds out how much room a cloth needs: simulated and wall time at most, ticks between looks.
-constexpr double kTrialSeconds = 3, kTrialWallSeconds = 0.15;
-constexpr int kTicksPerLook = 10;
 constexpr double kSmoothingSeconds = 0.5;
 /// A longer frame says that nothing moved before it, not how fast frames come.
 constexpr double kLongestMeasuredFrame = 0.5;
@@ -43,36 +38,13 @@ int wholeTicks(double seconds, double dt) {
   return static_cast<int>(std::clamp(std::ceil(seconds / dt - 1e-9), 1.0, kMost));
 }
 
-void addCorners(const Box& box, std::vector<glm::vec3>& room) {
-  const std::array<glm::vec3, 8> corners = box.corners();
-  room.insert(room.end(), corners.begin(), corners.end());
-}
+/// A held key acts again after this long, and then this often, s.
+constexpr double kRepeatAfter = 0.35, kRepeatEvery = 0.05;
+/// By which a key changes the step.
+constexpr double kStepFactor = 1.05;
 
-/// Where a pinned cloth that starts flat will hang.
-void addHangingCloth(const Simulation& simulation, std::vector<glm::vec3>& room) {
-  const Sheet& sheet = simulation.sheet();
-  const Vec3& pull = simulation.scene().gravity;
-  const glm::vec3 gravity(pull.x, pull.y, pull.z);
-  if (sheet.start != Start::Flat || glm::length(gravity) == 0) return;
-  const glm::vec3 fall = static_cast<float>(sheet.spacing * (sheet.rows - 1)) * glm::normalize(gravity);
-  for (const int pin : sheet.pins) {
-    const Vec3 at = sheet.startPosition(pin);
-    room.push_back(fall + glm::vec3(at.x, at.y, at.z));
-  }
-}
-
-/// Where a pinned cloth gets to in its first seconds, by trying it out for as long as nobody notices. Only the view
-/// depends on how far that comes.
-void addMotion(Simulation trial, const Viewer::Clock& clock, std::vector<glm::vec3>& room) {
-  std::vector<float> xyz(static_cast<std::size_t>(3 * trial.sheet().count()));
-  const double start = clock(), end = std::min(trial.scene().duration, kTrialSeconds);
-  while (trial.time() < end && clock() - start < kTrialWallSeconds) {
-    trial.tick();
-    if (trial.ticks() % kTicksPerLook != 0) continue;
-    if (trial.check() != Status::Ok) return;
-    trial.copyPositions(xyz);
-    addCorners(boxAround(xyz), room);
-  }
+bool isRepeated(InputAction action) {
+  return action == StepBack || action == Step || action == SmallerStep || action == LargerStep;
 }
 
 bool isHeldAction(InputAction action) {
@@ -103,11 +75,9 @@ Viewer::Viewer(const Scene& scene, const Settings& settings, Clock clock)
       frameClock_(scene.dt),
       lastFrame_(clock_()),
       positions_(static_cast<std::size_t>(3 * simulation_.sheet().count())) {
+  history_.begin(simulation_);
   showState();
-  addCorners(box_, room_);
-  if (simulation_.sheet().pins.empty()) return;
-  addHangingCloth(simulation_, room_);
-  addMotion(Simulation(scene_, *method_, settings_), clock_, room_);
+  room_ = roomOf(simulation_, box_, settings_, clock_);
 }
 
 void Viewer::handle(const WindowEvent& event) {
@@ -121,7 +91,7 @@ void Viewer::handle(const WindowEvent& event) {
         if (const Input* input = findInput(event.key)) press(*input, event);
         break;
       case WindowEvent::Kind::Release:
-        if (const Input* input = findInput(event.key)) held_.at(static_cast<std::size_t>(input->action)) = false;
+        release(event.key);
         break;
       case WindowEvent::Kind::Move:
         moveCursor({event.x, event.y});
@@ -131,6 +101,7 @@ void Viewer::handle(const WindowEvent& event) {
         break;
       case WindowEvent::Kind::FocusLost:
         held_.fill(false);
+        repeated_.reset();
         break;
       case WindowEvent::Kind::Exposed:
         break;
@@ -144,24 +115,61 @@ void Viewer::press(const Input& input, const WindowEvent& event) {
   note_.clear();
   if (isHeldAction(input.action)) held_.at(static_cast<std::size_t>(input.action)) = true;
   if (isMouse(input.key)) cursor_ = {event.x, event.y};
-  switch (input.action) {
+  if (isRepeated(input.action)) {
+    repeated_ = input;
+    repeatAt_ = clock_() + kRepeatAfter;
+  }
+  if (input.action == Poke) return beginPush(cursor_);
+  if (input.action == ChooseMethod) return choose(methodPlace(input.key));
+  perform(input.action);
+}
+
+void Viewer::release(KeyCode key) {
+  const Input* input = findInput(key);
+  if (input == nullptr) return;
+  held_.at(static_cast<std::size_t>(input->action)) = false;
+  if (repeated_ && repeated_->key == key) repeated_.reset();
+}
+
+void Viewer::repeatHeldKey() {
+  if (!repeated_ || seeking_ || clock_() < repeatAt_) return;
+  repeatAt_ = clock_() + kRepeatEvery;
+  perform(repeated_->action);
+}
+
+void Viewer::perform(InputAction action) {
+  switch (action) {
     case StartOrPause:
       return startOrPause();
     case Step:
       return step();
+    case StepBack:
+      return turnTo(shownTick_ - 1);
+    case Slower:
+      return changeSpeed(0.5);
+    case Faster:
+      return changeSpeed(2);
+    case Again:
+      return again();
     case Restart:
       return restart();
-    case Poke:
-      return beginPush(cursor_);
+    case SmallerStep:
+      return useStep(simulation_.dt() / kStepFactor);
+    case LargerStep:
+      return useStep(simulation_.dt() * kStepFactor);
+    case SafeStep:
+      return takeSafeStep();
+    case HoldingMethod:
+      return takeHoldingMethod();
+    case RunOn:
+      return runOn();
     case FrameCloth:
       return frameCloth();
-    case ChooseMethod:
-      return choose(methodPlace(input.key));
     case Leave:
       leaving_ = true;
       return;
     default:
-      return toggle(input.action);
+      return toggle(action);
   }
 }
 
@@ -190,34 +198,8 @@ void Viewer::toggle(InputAction action) {
   }
 }
 
-void Viewer::startOrPause() {
-  if (state_ == RunState::Frozen) return;
-  state_ = state_ == RunState::Running ? RunState::Paused : RunState::Running;
-  frameClock_.restart();
-}
-
-void Viewer::step() {
-  if (state_ == RunState::Frozen) return;
-  state_ = RunState::Paused;
-  run(1, 0);
-}
-
-void Viewer::restart() {
-  if (onRunEnd_ && simulation_.ticks() > 0) onRunEnd_(record());
-  simulation_ = Simulation(scene_, *method_, settings_);
-  state_ = RunState::Waiting;
-  message_.clear();
-  held_.at(static_cast<std::size_t>(Poke)) = false;
-  pushEnd_ = 0;
-  pushedAt_ = -kPushSeenSeconds;
-  showState();
-}
-
 void Viewer::choose(std::size_t place) {
-  if (place >= methods().size()) return;
-  const Method& method = methods()[place];
-  if (state_ != RunState::Frozen && &method != method_) simulation_.useMethod(method);
-  method_ = &method;
+  if (place < methods().size()) useMethod(methods()[place]);
 }
 
 void Viewer::beginPush(glm::vec2 cursor) {
@@ -227,6 +209,7 @@ void Viewer::beginPush(glm::vec2 cursor) {
   const std::optional<int> hit = pickParticle(camera_, cursor, window, sheet, positions_);
   const glm::dvec3 away = hit ? glm::dvec3(sightLine(camera_, cursor, window).direction) : glm::dvec3(0, 0, 1);
   const glm::dvec3 force = pushNewtons(sheet) * away;
+  beforeDeed();
   picked_ = hit ? *hit : particleAt(sheet, Place{.name = "middle"});
   force_ = {force.x, force.y, force.z};
   const int ticks = wholeTicks(kClickSeconds, simulation_.dt());
@@ -275,7 +258,8 @@ void Viewer::frameCloth() {
 
 bool Viewer::idle() const {
   const Motion keys = motion();
-  return state_ != RunState::Running && !held(Look) && keys.right == 0 && keys.up == 0 && keys.forward == 0;
+  return state_ != RunState::Running && !seeking_ && !repeated_ && !held(Look) && keys.right == 0 && keys.up == 0 &&
+         keys.forward == 0;
 }
 
 void Viewer::frame() {
@@ -284,53 +268,10 @@ void Viewer::frame() {
   lastFrame_ = now;
   camera_.watch(box_);
   camera_.move(motion(), static_cast<float>(seconds));
-  if (state_ == RunState::Running) {
-    const double others = frameSeconds_ - simulatingSeconds_;
-    frameClock_.ran(run(frameClock_.due(seconds), std::max(kSimulatingSeconds, others)));
-  }
+  repeatHeldKey();
+  moveCloth(seconds);
   if (!woken_) measure(seconds, clock_() - now);
   woken_ = false;
-}
-
-/// Runs up to `ticks`, one at least where any are due, and stops when `seconds` are over. Returns how many it ran.
-int Viewer::run(int ticks, double seconds) {
-  const double start = clock_();
-  int done = 0;
-  try {
-    while (done < ticks && simulation_.status() == Status::Ok && (done == 0 || clock_() - start < seconds)) {
-      keepPushing();
-      simulation_.tick();
-      ++done;
-    }
-    if (done > 0) showState();
-  } catch (const std::exception& error) {
-    freeze(error.what());
-  }
-  return done;
-}
-
-/// Takes the simulation's state over for drawing, unless the alarm says that it is not worth showing.
-void Viewer::showState() {
-  if (simulation_.check() != Status::Ok) return freezeOnAlarm();
-  simulation_.copyPositions(positions_);
-  time_ = simulation_.time();
-  box_ = boxAround(positions_);
-}
-
-void Viewer::freezeOnAlarm() {
-  const bool finite = simulation_.status() == Status::Unstable;
-  StepText step;
-  describeStep(simulation_, step);
-  std::array<char, 192> text{};
-  std::snprintf(text.data(), text.size(), "%s with a %s %s at %.3f s.", std::string(simulation_.method().name).c_str(),
-                step.data(), finite ? "became unstable" : "left the numbers that can be computed with",
-                simulation_.alarmTime());
-  freeze(text.data());
-}
-
-void Viewer::freeze(std::string message) {
-  state_ = RunState::Frozen;
-  message_ = std::move(message);
 }
 
 void Viewer::measure(double frameSeconds, double simulatingSeconds) {
@@ -364,11 +305,6 @@ ViewLogLine Viewer::logLine() {
           .alarm = nameOf(simulation_.status())};
 }
 
-PushLog Viewer::record() const {
-  PushLog log = simulation_.log();
-  log.ticks = simulation_.ticks();
-  log.hash = hashText(simulation_);
-  return log;
-}
+PushLog Viewer::record() const { return history_.record(simulation_); }
 
 }  // namespace tyg

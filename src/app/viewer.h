@@ -10,7 +10,10 @@
 #include <string_view>
 #include <vector>
 
+#include "app/cure.h"
+#include "app/history.h"
 #include "app/input_table.h"
+#include "app/margin.h"
 #include "app/view_log.h"
 #include "app/window.h"
 #include "gfx/sheet_renderer.h"
@@ -20,7 +23,8 @@
 
 namespace tyg {
 
-/// Waiting: at time zero, never started. Frozen: the alarm went, or something was thrown; only a restart goes on.
+/// Waiting: at time zero, never started. Frozen: the alarm went, or something was thrown; a restart goes on, a step
+/// back and, after an alarm, a cure.
 enum class RunState { Waiting, Running, Paused, Frozen };
 std::string_view nameOf(RunState state);
 
@@ -30,6 +34,12 @@ struct Pace {
   double simulating = 0;       ///< share of the frame spent simulating, 0..1
   double realTime = 1;         ///< simulated seconds per second
   bool behind = false;         ///< the machine did not keep up with real time
+};
+
+/// The moments of a run that are kept, s.
+struct Timeline {
+  double first = 0, shown = 0, newest = 0;
+  bool past = false;  ///< the cloth stands before the newest moment
 };
 
 using StepText = std::array<char, 48>;
@@ -44,6 +54,10 @@ class Viewer {
   Viewer(const Scene& scene, const Settings& settings, Clock clock);
 
   void handle(const WindowEvent& event);
+  /// What the key of this action does, for buttons. Those that need a cursor or a number do nothing.
+  void perform(InputAction action);
+  /// Pauses at the kept moment nearest to this time, s.
+  void turnToTime(double time);
   /// Size of the window. The first one that is not empty frames the cloth, as F does, leaving `margin` pixels free on
   /// the left and on the right (ignored where that would leave less than half the window).
   void resize(Extent pixels, int margin);
@@ -68,6 +82,13 @@ class Viewer {
   [[nodiscard]] bool behind() const { return state_ == RunState::Running && pace_.behind; }
   [[nodiscard]] const std::string& message() const { return message_; }  ///< why it froze; empty else
   [[nodiscard]] const std::string& note() const { return note_; }
+  /// The ways out of a failure; nothing where the cloth did not freeze by its alarm.
+  [[nodiscard]] const std::optional<Cure>& cure() const { return cure_; }
+  [[nodiscard]] const Margin& margin() const { return stepMargin_.margin(); }
+  /// The moments that can be gone back to.
+  [[nodiscard]] Timeline timeline() const;
+  [[nodiscard]] double speed() const { return frameClock_.speed(); }  ///< simulated seconds wanted per second
+  [[nodiscard]] bool breaking() const { return breaking_; }           ///< runs on past its alarm
   /// x, y, z of the last good state, m, its time in s, and the box around it.
   [[nodiscard]] std::span<const float> positions() const { return positions_; }
   [[nodiscard]] double time() const { return time_; }
@@ -82,16 +103,34 @@ class Viewer {
 
  private:
   void press(const Input& input, const WindowEvent& event);
+  void release(KeyCode key);
   void toggle(InputAction action);
   void startOrPause();
+  void goOn();
   void step();
+  void turnTo(std::int64_t tick, std::function<void()> then = {});
+  void seek();
+  void again();
+  void endReplay();
+  void runOn();
+  void change(const std::function<void()>& deed);
+  void takeSafeStep();
+  void takeHoldingMethod();
+  void useStep(double dt);
+  void beforeDeed();
+  void changeSpeed(double factor);
+  void followSimulation();
   void restart();
   void choose(std::size_t place);
+  void useMethod(const Method& method);
   void beginPush(glm::vec2 cursor);
   void keepPushing();
   void moveCursor(glm::vec2 cursor);
   void frameCloth();
-  int run(int ticks, double seconds);
+  void repeatHeldKey();
+  void moveCloth(double frameSeconds);
+  int run(std::int64_t ticks, double seconds);
+  [[nodiscard]] std::int64_t together(std::int64_t most, double seconds) const;
   void showState();
   void freezeOnAlarm();
   void measure(double frameSeconds, double simulatingSeconds);
@@ -104,13 +143,25 @@ class Viewer {
   const Method* method_;
   Simulation simulation_;
   FrameClock frameClock_;
+  History history_;
+  MarginWatch stepMargin_;
   RunState state_ = RunState::Waiting;
   bool leaving_ = false;
   double lastFrame_ = 0;  ///< s, of the clock
   bool woken_ = false;    ///< this frame ends an idle time
 
+  bool seeking_ = false;           ///< on the way to history_.target()
+  std::function<void()> arrived_;  ///< done there
+  bool breaking_ = false;          ///< runs on past its alarm
+  bool replaying_ = false;         ///< the past is shown again, slowly
+  double speedBefore_ = 1;         ///< that a replay goes back to
+  std::optional<Cure> cure_;
+  double tickSeconds_ = 0;  ///< wall time of a tick, smoothed; 0 before the first
+
   std::vector<float> positions_;
   double time_ = 0, kinetic_ = 0;
+  std::int64_t shownTick_ = 0;
+  std::optional<History::Moment> lastGood_;  ///< shown last before the alarm that stopped the run
   Box box_;
   Pace pace_;
   double frameSeconds_ = 0, simulatingSeconds_ = 0;  ///< smoothed
@@ -124,6 +175,8 @@ class Viewer {
   bool framed_ = false;
   glm::vec2 cursor_{0};
   std::array<bool, kInputActions> held_{};
+  std::optional<Input> repeated_;  ///< its key is held down and acts again ...
+  double repeatAt_ = 0;            ///< ... at this time, s, of the clock
 
   DrawOptions draw_;
   bool help_ = true;

@@ -27,6 +27,8 @@ TEST(InputTable, EveryActionHasAnInput) {
 TEST(InputTable, KeysOfTheContractDoWhatItSays) {
   EXPECT_EQ(findInput(' ')->action, InputAction::StartOrPause);
   EXPECT_EQ(findInput('.')->action, InputAction::Step);
+  EXPECT_EQ(findInput(',')->action, InputAction::StepBack);
+  EXPECT_EQ(findInput(']')->action, InputAction::LargerStep);
   EXPECT_EQ(findInput('R')->action, InputAction::Restart);
   EXPECT_EQ(findInput('F')->action, InputAction::FrameCloth);
   EXPECT_EQ(findInput('H')->action, InputAction::ShowHelp);
@@ -44,13 +46,13 @@ TEST(InputTable, NumberKeysChooseMethodsInOrder) {
   EXPECT_EQ(methodPlace('-'), 10U);
 }
 
-TEST(InputTable, HelpNamesEveryKeyButThoseOfMissingMethods) {
+TEST(InputTable, HelpNamesEveryKeyButThoseOfferedElsewhereAndOfMissingMethods) {
   std::string help;
   for (const HelpLine& line : helpLines(kThreeMethods)) help += line.keys + " ";
   for (const Input& input : inputTable()) {
     const bool missing = input.action == InputAction::ChooseMethod && methodPlace(input.key) >= kThreeMethods.size();
     const bool named = (" " + help).find(" " + std::string(input.keyName) + " ") != std::string::npos;
-    EXPECT_EQ(named, !missing) << input.keyName;
+    EXPECT_EQ(named, !missing && !input.help.empty()) << input.keyName;
   }
 }
 

@@ -1,0 +1,91 @@
+// See cure.h.
+#include "app/cure.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "study/stability.h"
+#include "tyg/methods.h"
+
+namespace tyg {
+namespace {
+
+constexpr double kSafeShare = 0.9;  // of the limit
+
+/// Some methods refuse some scenes.
+bool takes(const Method& method, const Scene& scene) {
+  try {
+    return method.makeDouble(scene, makeSheet(scene)) != nullptr;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+template <class... Values>
+std::string text(const char* format, Values... values) {
+  std::array<char, 256> line{};
+  std::snprintf(line.data(), line.size(), format, values...);
+  return line.data();
+}
+
+std::string name(const Method& method) { return std::string(method.name); }
+
+bool chooses(const Simulation& simulation) { return simulation.method().adaptive && simulation.scene().tolerance > 0; }
+
+std::string whatBroke(const Simulation& simulation) {
+  const std::string with = chooses(simulation) ? text("a tolerance of %.4g mm", 1e3 * simulation.scene().tolerance)
+                                               : text("a step of %.4g ms", 1e3 * simulation.dt());
+  const bool finite = simulation.status() == Status::Unstable;
+  return name(simulation.method()) + " with " + with +
+         (finite ? " became unstable" : " left the numbers that can be computed with") +
+         text(" at %.3f s", simulation.alarmTime());
+}
+
+std::string cause(const Simulation& simulation, double limit) {
+  if (chooses(simulation) || !std::isfinite(limit)) return "";
+  if (limit == 0) return ": no step holds with so little damping";
+  if (limit <= simulation.dt()) return text(": its limit is %.3g ms", 1e3 * limit);
+  return text(": it kept its limit of %.3g ms at rest, but this cloth is far from rest", 1e3 * limit);
+}
+
+std::string waysOut(const Simulation& simulation, const Cure& cure) {
+  const std::string other = cure.method != nullptr ? name(*cure.method) : "";
+  const std::string holds = other.empty() ? "" : other + ", which holds with this step";
+  if (cure.step > 0) {
+    return text("; take a step of %.3g ms", 1e3 * cure.step) + (holds.empty() ? "" : ", or " + holds) + ".";
+  }
+  if (!holds.empty()) return "; take " + holds + ".";
+  return chooses(simulation) ? "; take a smaller tolerance." : ".";
+}
+
+}  // namespace
+
+double roundedDown(double step) {
+  const double unit = std::pow(10.0, std::floor(std::log10(step)) - 1);
+  return std::floor(step / unit * (1 + 1e-12)) * unit;
+}
+
+const Method* methodThatHolds(const Scene& scene, const Method& failed, double step) {
+  for (const Method& method : methods()) {
+    const double limit = restLatticeLimit(scene, method);
+    if (method.name != failed.name && !(limit < 1.05 * step) && takes(method, scene)) return &method;
+  }
+  return nullptr;
+}
+
+Cure findCure(const Simulation& simulation, double limit) {
+  Cure cure;
+  const double step = simulation.dt();
+  cure.method = methodThatHolds(simulation.scene(), simulation.method(), step);
+  if (chooses(simulation) || limit == 0) return cure;
+  // A limit that was kept and broke all the same says too much: half of the step that broke is the next best guess.
+  cure.step = roundedDown(limit <= step ? kSafeShare * limit : step / 2);
+  return cure;
+}
+
+std::string describeFailure(const Simulation& simulation, double limit, const Cure& cure) {
+  return whatBroke(simulation) + cause(simulation, limit) + waysOut(simulation, cure);
+}
+
+}  // namespace tyg

@@ -1,0 +1,28 @@
+// What breaks a run, said in one sentence, and what would hold: a smaller step, or another method at this step.
+// Must not know: windows, how a cure is taken.
+#pragma once
+
+#include <string>
+
+#include "tyg/simulation.h"
+
+namespace tyg {
+
+/// Two significant digits, rounded down: what is advised must not lie above what was worked out. step > 0, s.
+double roundedDown(double step);
+/// The first method, in the table's order, that is predicted to stay stable with this step (s) on the sheet at rest and
+/// takes the scene; null where there is none.
+const Method* methodThatHolds(const Scene& scene, const Method& failed, double step);
+
+/// The ways out for the present method and step.
+struct Cure {
+  double step = 0;                 ///< s, 0.9 of the limit and below the present step; 0: no step is known to hold
+  const Method* method = nullptr;  ///< holds at the present step; null: none does
+};
+/// `limit`, s: of the present method; NaN, infinite or not below the step where it does not explain a failure.
+Cure findCure(const Simulation& simulation, double limit);
+
+/// After an alarm: which method and step broke, when, beyond what limit, and the ways out.
+std::string describeFailure(const Simulation& simulation, double limit, const Cure& cure);
+
+}  // namespace tyg
