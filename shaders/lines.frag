@@ -4,12 +4,16 @@
 
 uniform vec3 colour;
 uniform vec3 background;
-uniform float fade;   // how far the farthest part of the cloth goes towards the background, 0..1
-uniform int pass;     // 0: middles, 1: edges, 2: both at once
+uniform float fade;          // how far the farthest part of the cloth goes towards the background, 0..1
+uniform int colouring;       // 0: `colour`, else from `ramp`
+uniform vec3 ramp[5];
+uniform float opacityOfAll;  // 0..1
+uniform int pass;            // 0: middles, 1: edges, 2: both at once
 
 noperspective in float across;
 noperspective in float halfWidth;
 noperspective in float opacity;
+in float place;
 in float farness;
 out vec4 painted;
 
@@ -17,5 +21,11 @@ void main() {
   float cover = clamp(halfWidth + 0.5 - abs(across), 0.0, 1.0);
   bool solid = cover >= 0.5;
   if (cover <= 0.0 || (pass == 0 && !solid) || (pass == 1 && solid)) discard;
-  painted = vec4(mix(colour, background, fade * farness), cover * opacity);
+  vec3 own = colour;
+  if (colouring != 0) {
+    float at = clamp(place, 0.0, 1.0) * 4;
+    int below = min(int(at), 3);
+    own = mix(ramp[below], ramp[below + 1], at - float(below));
+  }
+  painted = vec4(mix(own, background, fade * farness), cover * opacity * opacityOfAll);
 }

@@ -4,6 +4,7 @@
 
 #include <glad/gl.h>
 
+#include <span>
 #include <string_view>
 
 #include <glm/glm.hpp>
@@ -67,6 +68,9 @@ class GlProgram {
   void set(const char* uniform, float value) const { glUniform1f(at(uniform), value); }
   void set(const char* uniform, const glm::vec2& value) const { glUniform2fv(at(uniform), 1, &value[0]); }
   void set(const char* uniform, const glm::vec3& value) const { glUniform3fv(at(uniform), 1, &value[0]); }
+  void set(const char* uniform, std::span<const glm::vec3> values) const {
+    glUniform3fv(at(uniform), static_cast<GLsizei>(values.size()), &values[0][0]);
+  }
   void set(const char* uniform, const glm::mat4& value) const {
     glUniformMatrix4fv(at(uniform), 1, GL_FALSE, &value[0][0]);
   }

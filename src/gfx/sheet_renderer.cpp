@@ -47,6 +47,7 @@ const Palette kLight{.background = rgb(0xf6f7f8),
 const Palette& paletteOf(Background background) { return background == Background::Dark ? kDark : kLight; }
 
 constexpr float kFade = 0.62F;            // of the way to the background for the cloth's farthest part
+constexpr float kColouredFade = 0.2F;     // the same where colours tell numbers
 constexpr float kShallowest = 0.5F;       // cloth sizes: a range of depths below this is not stretched to full contrast
 constexpr float kPinDiameter = 12;        // pixels
 constexpr float kSmallestPin = 6;         // pixels
@@ -103,8 +104,8 @@ glm::vec3 backgroundColour(Background background) { return paletteOf(background)
 struct SheetRenderer::Body {
   Sheet sheet;
   GlProgram lineProgram{"lines"}, discProgram{"discs"}, surroundingsProgram{"surroundings"};
-  GlBuffer positions, pinOrder;
-  GlTexture positionTexture;
+  GlBuffer positions, pinOrder, values;
+  GlTexture positionTexture, valueTexture;
   GlVertexArray nothing, particles;
   std::array<std::unique_ptr<Lines>, 3> families;  // made when first shown: a large sheet's take much memory
   Lines arrow;
@@ -115,6 +116,7 @@ struct SheetRenderer::Body {
 
   struct Frame {
     const Camera& camera;
+    Background background;
     const Palette& palette;
     glm::vec2 pixels;
     glm::mat4 view, projection;
@@ -122,13 +124,18 @@ struct SheetRenderer::Body {
     float focal;
   };
   void upload(std::span<const float> xyz, const ShownPush* push) const;
+  [[nodiscard]] bool uploadValues(const Colouring& colouring) const;
   void drawSurroundings(const Frame& frame) const;
   void setCommon(const GlProgram& program, const Frame& frame, const glm::vec3& colour, float fade,
                  float spacing) const;
   struct LineStyle {
     glm::vec3 colour;
     float width, sideways, spacing, fade;
+    float opacity = 1;
+    float restLength = 1;                  ///< m
+    const Colouring* colouring = nullptr;  ///< null: one colour
   };
+  void setColouring(const Frame& frame, const LineStyle& style) const;
   void drawLines(const Frame& frame, const Lines& lines, const LineStyle& style) const;
   void drawSprings(const Frame& frame, const DrawOptions& options);
   void drawDiscs(const Frame& frame, const DrawOptions& options) const;
@@ -221,8 +228,23 @@ void SheetRenderer::Body::setCommon(const GlProgram& program, const Frame& frame
   program.set("spacing", spacing);
 }
 
+void SheetRenderer::Body::setColouring(const Frame& frame, const LineStyle& style) const {
+  lineProgram.set("opacityOfAll", style.opacity);
+  lineProgram.set("colouring", style.colouring == nullptr ? 0 : static_cast<int>(style.colouring->by));
+  if (style.colouring == nullptr) return;
+  lineProgram.set("values", 2);
+  lineProgram.set("restLength", style.restLength);
+  lineProgram.set("range", glm::vec2(style.colouring->low, style.colouring->high));
+  lineProgram.set("ramp", std::span<const glm::vec3>(coloursOf(style.colouring->ramp, frame.background)));
+  if (style.colouring->by != Colouring::By::Particle) return;
+  glActiveTexture(GL_TEXTURE2);
+  glBindTexture(GL_TEXTURE_BUFFER, valueTexture.name());
+}
+
 void SheetRenderer::Body::drawLines(const Frame& frame, const Lines& lines, const LineStyle& style) const {
-  setCommon(lineProgram, frame, style.colour, style.fade, style.spacing);
+  const bool coloured = style.colouring != nullptr;
+  setCommon(lineProgram, frame, style.colour, coloured ? kColouredFade : style.fade, style.spacing);
+  setColouring(frame, style);
   lineProgram.set("positions", 0);
   lineProgram.set("lines", 1);
   lineProgram.set("pixels", frame.pixels);
@@ -250,19 +272,39 @@ void SheetRenderer::Body::drawLines(const Frame& frame, const Lines& lines, cons
 }
 
 void SheetRenderer::Body::drawSprings(const Frame& frame, const DrawOptions& options) {
-  const auto spacing = static_cast<float>(sheet.spacing);
+  const bool coloured = options.colouring.by != Colouring::By::Family && uploadValues(options.colouring);
   const float thin = 0.7F * options.lineWidth;  // the structural mesh stays the loudest
-  if (options.bend) {
-    // Bend springs lie along structural ones.
-    drawLines(frame, linesFor(Family::Bend), {frame.palette.bend, thin, kBesideStructural, spacing, kFade});
-  }
-  if (options.shear) {
-    drawLines(frame, linesFor(Family::Shear), {frame.palette.shear, thin, 0, spacing, kFade});
-  }
+  const auto draw = [&](Family family, const glm::vec3& colour, float width, float sideways) {
+    drawLines(frame, linesFor(family),
+              {.colour = colour,
+               .width = width,
+               .sideways = sideways,
+               .spacing = static_cast<float>(sheet.spacing),
+               .fade = kFade,
+               .opacity = options.opacity,
+               .restLength = static_cast<float>(restLength(sheet, family)),
+               .colouring = coloured ? &options.colouring : nullptr});
+  };
+  // Bend springs lie along structural ones.
+  if (options.bend) draw(Family::Bend, frame.palette.bend, thin, kBesideStructural);
+  if (options.shear) draw(Family::Shear, frame.palette.shear, thin, 0);
   if (options.structural) {
-    const glm::vec3 colour = options.mesh.value_or(frame.palette.structural);
-    drawLines(frame, linesFor(Family::Structural), {colour, options.lineWidth, 0, spacing, kFade});
+    draw(Family::Structural, options.mesh.value_or(frame.palette.structural), options.lineWidth, 0);
   }
+}
+
+/// False where there is not a number for every particle.
+bool SheetRenderer::Body::uploadValues(const Colouring& colouring) const {
+  if (colouring.by != Colouring::By::Particle) return true;
+  if (colouring.values.size() != static_cast<std::size_t>(count())) return false;
+  glBindBuffer(GL_TEXTURE_BUFFER, values.name());
+  glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(colouring.values.size_bytes()), colouring.values.data(),
+               GL_STREAM_DRAW);
+  glActiveTexture(GL_TEXTURE2);
+  glBindTexture(GL_TEXTURE_BUFFER, valueTexture.name());
+  glTexBuffer(GL_TEXTURE_BUFFER, GL_R32F, values.name());
+  glActiveTexture(GL_TEXTURE0);
+  return true;
 }
 
 void SheetRenderer::Body::drawDiscs(const Frame& frame, const DrawOptions& options) const {
@@ -289,7 +331,7 @@ void SheetRenderer::Body::setMarker(const Frame& frame, const glm::vec3& colour,
 
 void SheetRenderer::Body::drawPush(const Frame& frame) const {
   glDisable(GL_DEPTH_TEST);  // the cloth must not hide what is done to it
-  drawLines(frame, arrow, {frame.palette.push, kPushWidth, 0, 0, 0});
+  drawLines(frame, arrow, {.colour = frame.palette.push, .width = kPushWidth, .sideways = 0, .spacing = 0, .fade = 0});
   glBindVertexArray(particles.name());
   setMarker(frame, frame.palette.push, 0);
   glDrawArrays(GL_POINTS, count(), 1);  // the arrow's foot
@@ -310,6 +352,7 @@ void SheetRenderer::draw(std::span<const float> xyz, const Camera& camera, glm::
   }
   const glm::vec2 size(pixels);
   const Body::Frame frame{camera,
+                          options.background,
                           paletteOf(options.background),
                           size,
                           camera.view(),

@@ -8,12 +8,21 @@
 
 #include <glm/glm.hpp>
 
+#include "gfx/colour_ramp.h"
 #include "tyg/sheet.h"
 #include "view/camera.h"
 
 namespace tyg {
 
-enum class Background { Dark, Light };
+/// Colours of the spring lines by a number instead of by family.
+struct Colouring {
+  enum class By { Family, Particle, Strain };
+  By by = By::Family;
+  Ramp ramp = Ramp::Growing;
+  float low = 0, high = 1;  ///< the numbers at both ends of the ramp; beyond them its ends go on
+  std::span<const float>
+      values{};  ///< Particle: one number for each, valid while it is drawn; any other count: by family
+};
 
 /// What is drawn and how.
 struct DrawOptions {
@@ -24,6 +33,8 @@ struct DrawOptions {
   float lineWidth = 1.8F;         ///< pixels, > 0, where the mesh is coarse; thinner and fainter where it is dense
   std::optional<glm::vec3> mesh;  ///< colour of the structural lines, red green blue 0..1; none: the background's own
   bool over = false;              ///< keep what is in the framebuffer and draw the cloth into it (and no ground)
+  float opacity = 1;              ///< of the spring lines, 0..1
+  Colouring colouring;
 };
 
 /// A push as shown: an arrow on a particle along a force (N).
@@ -31,11 +42,6 @@ struct ShownPush {
   int particle = 0;
   Vec3 force;
 };
-
-/// A colour, 0..1, from its hexadecimal notation, 0xrrggbb.
-constexpr glm::vec3 rgb(unsigned hex) {
-  return {float(hex >> 16U & 255U) / 255, float(hex >> 8U & 255U) / 255, float(hex & 255U) / 255};
-}
 
 /// Background colour, red green blue 0..1, for panels and letterboxes that must match.
 glm::vec3 backgroundColour(Background background);

@@ -56,7 +56,7 @@ TEST(BackgroundStudy, GivesRowsOfItsMethodsInTheirOrder) {
 TEST(BackgroundStudy, HandsRowsOverBeforeItIsDone) {
   BackgroundStudy study;
   Scene scene = smallScene();
-  scene.duration = 8;  // seconds of work in all: the first row is seen long before the last
+  scene.duration = 1;  // a second of work or more in all: the first row is seen long before the last
   std::vector<const Method*> all;
   for (const Method& method : methods()) all.push_back(&method);
   study.start(scene, all);

@@ -140,6 +140,56 @@ TEST_P(OffscreenPicture, ASecondSheetIsDrawnOverTheFirstInItsOwnColour) {
   EXPECT_GT(pixelsOf(isMagenta), magenta / 4);
 }
 
+/// Of the pixels of columns [from, to): red minus blue, summed.
+double warmth(const Picture& picture, int from, int to) {
+  double sum = 0;
+  for (int row = 0; row < picture.height; ++row) {
+    for (int column = from; column < to; ++column) {
+      const std::size_t i = 4 * static_cast<std::size_t>(row * picture.width + column);
+      sum += picture.rgba[i] - picture.rgba[i + 2];
+    }
+  }
+  return sum;
+}
+
+TEST_P(OffscreenPicture, NumbersOfTheParticlesColourTheLinesBetweenThem) {
+  const Sheet sheet = hangingSheet();
+  std::vector<float> values;
+  for (int i = 0; i < sheet.count(); ++i) values.push_back(float(i % sheet.columns));
+  DrawOptions options;
+  options.pins = options.ground = false;
+  options.colouring = {.by = Colouring::By::Particle, .ramp = Ramp::Growing, .low = 0, .high = 11, .values = values};
+  const Picture coloured = drawn(GetParam(), options);
+  // The ramp on dark ground ends in yellow.
+  EXPECT_GT(warmth(coloured, kWidth / 2, kWidth), warmth(coloured, 0, kWidth / 2) + 1e5);
+  options.colouring.values = {};  // a number for nobody
+  EXPECT_LT(warmth(drawn(GetParam(), options), kWidth / 2, kWidth), 0);
+}
+
+TEST_P(OffscreenPicture, StrainColoursStretchedLinesWarmAndSlackOnesCold) {
+  DrawOptions options;
+  options.pins = options.ground = false;
+  options.colouring = {.by = Colouring::By::Strain, .ramp = Ramp::Balanced, .low = 0.5, .high = 2, .values = {}};
+  EXPECT_LT(warmth(drawn(GetParam(), options), 0, kWidth), 0);  // all of it below the middle of that range
+  options.colouring.low = -2, options.colouring.high = -0.5;
+  EXPECT_GT(warmth(drawn(GetParam(), options), 0, kWidth), 0);
+}
+
+TEST_P(OffscreenPicture, AClothCanBeTranslucent) {
+  DrawOptions nothing, faint, full;
+  nothing.structural = nothing.pins = faint.pins = full.pins = false;
+  faint.opacity = 0.3F;
+  const auto contrast = [&, empty = drawn(GetParam(), nothing)](const DrawOptions& options) {
+    const Picture picture = drawn(GetParam(), options);
+    double sum = 0;
+    for (std::size_t i = 0; i < picture.rgba.size(); ++i) sum += std::abs(picture.rgba[i] - empty.rgba[i]);
+    return sum;
+  };
+  const double all = contrast(full);
+  EXPECT_GT(contrast(faint), 0.1 * all);
+  EXPECT_LT(contrast(faint), 0.6 * all);  // overlapping lines add up to a little more than 0.3
+}
+
 TEST_P(OffscreenPicture, SurvivesPositionsThatAreNotNumbersAndAnEyeInsideTheCloth) {
   const auto context = makeOffscreen(GetParam(), kWidth, kHeight);
   const Sheet sheet = hangingSheet();
