@@ -1,12 +1,21 @@
 // See margin.h.
 #include "app/margin.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "study/stability.h"
 
 namespace tyg {
+namespace {
+
+constexpr double kMostShare = 0.05;  // of the time, for the live limit
+constexpr double kStretched = 0.99;  // of the limit at rest: below that the cloth's stretch is told
+constexpr double kSmoothing = 0.1;   // of the cost, from look to look
+
+}  // namespace
+
 MarginBand Margin::band() const {
   if (adaptive || !std::isfinite(limit)) return MarginBand::None;
   if (share() < kClose) return MarginBand::Fine;
@@ -20,29 +29,39 @@ void describe(const Margin& margin, MarginText& text) {
   if (margin.adaptive) return say("%s", "chooses its own steps");
   if (!std::isfinite(margin.limit)) return say("%s", "no step is too large for it");
   if (margin.limit == 0) return say("%s", "no step holds: it needs damping");
-  const double share = margin.share(), limit = 1e3 * margin.limit;
-  switch (margin.band()) {
-    case MarginBand::Past:
-      return say("%.2f of the limit of %.3g ms: PAST IT, the cloth will break", share, limit);
-    case MarginBand::Close:
-      return say("%.2f of the limit of %.3g ms: close, a little more breaks it", share, limit);
-    default:
-      return say("%.2f of the limit of %.3g ms", share, limit);
-  }
+  const bool stretched = margin.limit < kStretched * margin.rest;
+  std::array<char, 32> rest{};
+  if (stretched) std::snprintf(rest.data(), rest.size(), " (%.3g ms at rest)", 1e3 * margin.rest);
+  constexpr std::array kWarnings{"", "", ": close, a little more breaks it", ": PAST IT, the cloth will break"};
+  say("%.2f of the limit of %.3g ms%s%s", margin.share(), 1e3 * margin.limit, rest.data(),
+      kWarnings.at(static_cast<std::size_t>(margin.band())));
 }
 
-void MarginWatch::look(Simulation& simulation, const Clock& /*clock*/) {
+void MarginWatch::look(Simulation& simulation, const Clock& clock) {
   const Method& method = simulation.method();
   if (method_ != &method) {
     method_ = &method;
-    rest_ = restLatticeLimit(simulation.scene(), method);
-    margin_ = {};
+    lookedAt_ = -1;
+    live_ = std::numeric_limits<double>::quiet_NaN();
+    margin_ = {.rest = restLatticeLimit(simulation.scene(), method)};
   }
   margin_.step = simulation.dt();
   margin_.adaptive = method.adaptive && simulation.scene().tolerance > 0;
-  margin_.limit = rest_;
+  if (!margin_.adaptive && simulation.ticks() != lookedAt_) lookLive(simulation, clock);
+  margin_.limit = std::fmin(margin_.rest, live_);  // of a number and NaN, the number
 }
 
-double MarginWatch::certainLimit() const { return rest_; }
+void MarginWatch::lookLive(Simulation& simulation, const Clock& clock) {
+  const double began = clock();
+  if (lookedAt_ >= 0 && began < nextLook_) return;
+  live_ = simulation.liveStableStep();
+  const double took = clock() - began;
+  nextLook_ = began + took / kMostShare;
+  if (lookedAt_ >= 0 && began > lastLook_) {
+    margin_.cost += kSmoothing * (std::min(1.0, took / (began - lastLook_)) - margin_.cost);
+  }
+  lookedAt_ = simulation.ticks();
+  lastLook_ = began;
+}
 
 }  // namespace tyg

@@ -18,11 +18,12 @@ enum class MarginBand : std::uint8_t { None, Fine, Close, Past };
 /// A step beside its limit.
 struct Margin {
   static constexpr double kClose = 0.9;
-  double step = 0;                                          ///< s
-  double limit = std::numeric_limits<double>::quiet_NaN();  ///< s; 0: no step holds; NaN or infinite: none
-  bool adaptive = false;                                    ///< the method chooses its own steps
-  bool live = false;  ///< the limit is that of the present state, not of the sheet at rest
-  double cost = 0;    ///< share of the time that finding it took, 0..1
+  double step = 0;  ///< s
+  /// s, the smaller one of the limits at rest and in the present state; 0: no step holds; NaN or infinite: none.
+  double limit = std::numeric_limits<double>::quiet_NaN();
+  double rest = std::numeric_limits<double>::quiet_NaN();  ///< s, of the sheet at rest, likewise
+  double cost = 0;                                         ///< share of the time that finding them takes, 0..1
+  bool adaptive = false;                                   ///< the method chooses its own steps
 
   [[nodiscard]] double share() const { return step / limit; }  ///< of the limit; NaN or 0 where there is none
   [[nodiscard]] MarginBand band() const;
@@ -42,12 +43,14 @@ class MarginWatch {
   /// Another simulation: its limit at rest is worked out at the next look.
   void restart() { method_ = nullptr; }
   [[nodiscard]] const Margin& margin() const { return margin_; }
-  /// The smaller one of the live limit and that at rest, s: what a safe step keeps away from.
-  [[nodiscard]] double certainLimit() const;
 
  private:
+  void lookLive(Simulation& simulation, const Clock& clock);
+
   const Method* method_ = nullptr;
-  double rest_ = 0;  ///< s
+  double live_ = 0;             ///< s
+  std::int64_t lookedAt_ = -1;  ///< tick of the last look at it; -1 before the first with this method
+  double lastLook_ = 0, nextLook_ = 0;
   Margin margin_;
 };
 

@@ -128,12 +128,12 @@ void Viewer::change(const std::function<void()>& deed) {
 }
 
 void Viewer::takeSafeStep() {
-  const Cure cure = cure_ ? *cure_ : findCure(simulation_, stepMargin_.certainLimit());
+  const Cure cure = cure_ ? *cure_ : findCure(simulation_, margin().limit);
   if (cure.step > 0) change([this, cure] { useStep(cure.step); });
 }
 
 void Viewer::takeHoldingMethod() {
-  const Cure cure = cure_ ? *cure_ : findCure(simulation_, stepMargin_.certainLimit());
+  const Cure cure = cure_ ? *cure_ : findCure(simulation_, margin().limit);
   if (cure.method != nullptr) change([this, cure] { useMethod(*cure.method); });
 }
 
@@ -244,7 +244,7 @@ void Viewer::showState() {
 
 void Viewer::freezeOnAlarm() {
   endReplay();
-  const double limit = stepMargin_.certainLimit();
+  const double limit = margin().limit;
   const Cure cure = findCure(simulation_, limit);
   freeze(describeFailure(simulation_, limit, cure));
   cure_ = cure;

@@ -41,15 +41,54 @@ TEST(Margin, FollowsMethodAndStep) {
   const auto look = [&] { watch.look(simulation, [&now] { return now += 1e-3; }); };
   look();
   EXPECT_EQ(watch.margin().step, 0.002);
-  EXPECT_EQ(watch.margin().limit, restLatticeLimit(simulation.scene(), findMethod("rk4")));
+  EXPECT_EQ(watch.margin().rest, restLatticeLimit(simulation.scene(), findMethod("rk4")));
   simulation.useStep(0.001);
   simulation.useMethod(findMethod("leapfrog"));
   look();
   EXPECT_EQ(watch.margin().step, 0.001);
-  EXPECT_EQ(watch.margin().limit, restLatticeLimit(simulation.scene(), findMethod("leapfrog")));
+  EXPECT_EQ(watch.margin().rest, restLatticeLimit(simulation.scene(), findMethod("leapfrog")));
   simulation.useMethod(findMethod("dopri54"));
   look();
   EXPECT_EQ(watch.margin().band(), MarginBand::None);
+}
+
+TEST(Margin, ShrinksWhileTheClothIsStretched) {
+  Scene scene = loadScene("curtain", methodNames());
+  for (SpringFamily* family : {&scene.structural, &scene.shear, &scene.bend}) family->kd = 0;
+  scene.gravity = {0, -200, 0};
+  scene.start = Start::Hanging;
+  scene.dt = 5e-4;
+  Simulation simulation(scene, findMethod("leapfrog"), {.threads = 1});
+  double now = 0;
+  MarginWatch watch;
+  const auto ticks = [&](int count) {
+    for (int tick = 0; tick < count; ++tick) {
+      simulation.tick();
+      watch.look(simulation, [&now] { return now += 1; });
+    }
+  };
+  ticks(15);
+  const double before = watch.margin().limit;
+  EXPECT_NEAR(before, watch.margin().rest, 0.02 * before);
+  ticks(400);
+  EXPECT_LT(watch.margin().limit, 0.98 * before);
+  EXPECT_NE(words(watch.margin()).find("at rest"), std::string::npos) << words(watch.margin());
+}
+
+TEST(Margin, TakesNoMoreThanATwentiethOfTheTimeToKnow) {
+  Simulation simulation(loadScene("curtain", methodNames()), findMethod("leapfrog"), {.threads = 1});
+  double now = 0, inside = 0;
+  MarginWatch watch;
+  for (int frame = 0; frame < 500; ++frame) {
+    simulation.tick();
+    now += 0.004;
+    const double before = now;
+    watch.look(simulation, [&now] { return now += 0.002; });  // each look at the clock finds it later
+    if (now > before + 0.003) inside += 0.002;
+  }
+  EXPECT_GT(watch.margin().cost, 0);
+  EXPECT_LT(watch.margin().cost, 0.06);
+  EXPECT_LT(inside / now, 0.06);
 }
 
 }  // namespace

@@ -1,0 +1,241 @@
+// The viewer's way through time, without a window: back and forth, into a failure and out of it, and nothing is lost.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "app/viewer_fixture.h"
+
+namespace tyg {
+namespace {
+
+/// A step far past the limit of every method here.
+class WildViewerTest : public ViewerTest {
+ protected:
+  static Scene wild() {
+    Scene scene = curtain();
+    scene.dt = 0.05;
+    return scene;
+  }
+  WildViewerTest() : ViewerTest(wild()) {}
+  void runUntilFrozen() {
+    tap(' ');
+    for (int frame = 0; frame < 600 && viewer_.state() == RunState::Running; ++frame) frames(1);
+  }
+};
+
+TEST_F(WildViewerTest, AnUnstableClothFreezesAtItsLastGoodFrame) {
+  runUntilFrozen();
+  ASSERT_EQ(viewer_.state(), RunState::Frozen);
+  for (const float coordinate : viewer_.positions()) ASSERT_LT(std::abs(coordinate), 10);
+  EXPECT_LT(viewer_.time(), viewer_.simulation().time());
+  EXPECT_NE(viewer_.logLine().alarm, "ok");
+}
+
+TEST_F(WildViewerTest, TheMessageNamesMethodStepAndTime) {
+  runUntilFrozen();
+  for (const char* word : {"rk4", "50 ms", " s: "}) {
+    EXPECT_NE(viewer_.message().find(word), std::string::npos) << viewer_.message();
+  }
+}
+
+TEST_F(WildViewerTest, AFrozenClothStaysFrozenUntilRestartedWithTheChosenMethod) {
+  runUntilFrozen();
+  const double then = viewer_.time();
+  tap(' '), tap('.'), clickOnCloth(), tap('2');
+  frames(5);
+  EXPECT_EQ(viewer_.state(), RunState::Frozen);
+  EXPECT_EQ(viewer_.time(), then);
+  tap('R');
+  EXPECT_EQ(viewer_.state(), RunState::Waiting);
+  EXPECT_EQ(viewer_.simulation().method().name, "symplectic-euler");
+  EXPECT_EQ(viewer_.simulation().status(), Status::Ok);
+}
+
+TEST_F(WildViewerTest, TheMessageNamesTheLimitAndTheWaysOut) {
+  runUntilFrozen();
+  ASSERT_TRUE(viewer_.cure());
+  for (const char* words : {"its limit is 4.26 ms", "take a step of 3.8 ms", "which holds with this step"}) {
+    EXPECT_NE(viewer_.message().find(words), std::string::npos) << viewer_.message();
+  }
+}
+
+TEST_F(WildViewerTest, TheSafeStepGoesOnFromBeforeTheFailureAndHolds) {
+  runUntilFrozen();
+  const double then = viewer_.time();
+  tap('V');
+  EXPECT_EQ(viewer_.state(), RunState::Running);
+  EXPECT_LE(viewer_.time(), then);
+  EXPECT_EQ(viewer_.simulation().dt(), 0.0038);
+  frames(200);
+  EXPECT_EQ(viewer_.state(), RunState::Running);
+  EXPECT_GT(viewer_.time(), then + 2);
+  EXPECT_EQ(viewer_.simulation().status(), Status::Ok);
+}
+
+TEST_F(WildViewerTest, AMethodThatHoldsGoesOnWithTheSameStep) {
+  runUntilFrozen();
+  const Method* other = viewer_.cure()->method;
+  ASSERT_NE(other, nullptr);
+  tap('M');
+  EXPECT_EQ(&viewer_.simulation().method(), other);
+  EXPECT_EQ(viewer_.simulation().dt(), 0.05);
+  frames(100);
+  EXPECT_EQ(viewer_.state(), RunState::Running);
+}
+
+TEST_F(WildViewerTest, RunsOnPastItsAlarmWhenToldToAndComesBack) {
+  runUntilFrozen();
+  const double then = viewer_.time();
+  tap(kEnterKey);
+  frames(5);
+  EXPECT_GT(viewer_.simulation().time(), then);
+  for (int frame = 0; frame < 2000 && viewer_.state() == RunState::Running; ++frame) frames(1);
+  EXPECT_EQ(viewer_.state(), RunState::Frozen);  // out of the range of the numbers
+  EXPECT_EQ(viewer_.simulation().status(), Status::NotFinite);
+  tap('V');
+  EXPECT_LE(viewer_.time(), then);
+  frames(60);
+  EXPECT_EQ(viewer_.state(), RunState::Running);
+}
+
+TEST_F(WildViewerTest, AFrozenClothStepsBackAndOnAgain) {
+  runUntilFrozen();
+  const double then = viewer_.time();
+  tap(',');
+  EXPECT_EQ(viewer_.state(), RunState::Paused);
+  EXPECT_NEAR(viewer_.time(), then - 0.05, 1e-9);
+  EXPECT_TRUE(viewer_.message().empty());
+  tap('.');
+  EXPECT_EQ(viewer_.time(), then);
+  for (int step = 0; step < 100 && viewer_.state() == RunState::Paused; ++step) tap('.');
+  EXPECT_EQ(viewer_.state(), RunState::Frozen);
+}
+
+TEST_F(WildViewerTest, AReplayRunsSlowlyIntoTheFailureAgain) {
+  runUntilFrozen();
+  const double then = viewer_.time();
+  tap('J');
+  EXPECT_EQ(viewer_.state(), RunState::Running);
+  EXPECT_LT(viewer_.speed(), 1);
+  const double from = viewer_.time();
+  EXPECT_LT(from, then);
+  frames(60);
+  EXPECT_LE(viewer_.time(), from + 0.125 + 0.05);  // a second at an eighth of the speed, and a tick
+  for (int frame = 0; frame < 2000 && viewer_.state() == RunState::Running; ++frame) frames(1);
+  EXPECT_NE(viewer_.state(), RunState::Running);
+  EXPECT_GE(viewer_.time(), then);
+  EXPECT_EQ(viewer_.speed(), 1);
+}
+
+TEST_F(WildViewerTest, ARecordOfACuredRunReplaysToTheSameHash) {
+  runUntilFrozen();
+  tap('V');
+  frames(30);
+  const PushLog log = viewer_.record();
+  Simulation again(wild(), findMethod(log.integrator), {.threads = 1});
+  again.replay(log, methods());
+  again.tick(log.ticks);
+  EXPECT_EQ(again.hash(), viewer_.simulation().hash());
+}
+
+TEST_F(ViewerTest, StepsBackTickByTickAndForwardAgainToTheSameState) {
+  tap(' ');
+  frames(30);
+  tap(' ');
+  const std::int64_t end = ticks();
+  const std::uint64_t hash = viewer_.simulation().hash();
+  tap(','), tap(','), tap(',');
+  EXPECT_EQ(ticks(), end - 3);
+  EXPECT_NE(viewer_.simulation().hash(), hash);
+  tap('.'), tap('.'), tap('.');
+  EXPECT_EQ(ticks(), end);
+  EXPECT_EQ(viewer_.simulation().hash(), hash);
+}
+
+TEST_F(ViewerTest, AHeldKeyStepsOnAndOn) {
+  tap(' ');
+  frames(60);
+  tap(' ');
+  const std::int64_t end = ticks();
+  press(',');
+  frames(60);
+  release(',');
+  EXPECT_LT(ticks(), end - 5);
+  const std::int64_t then = ticks();
+  frames(60);
+  EXPECT_EQ(ticks(), then);
+}
+
+TEST_F(ViewerTest, ThePastCanBeLookedAtWithoutLosingTheRecord) {
+  tap(' ');
+  frames(30);
+  tap(' ');
+  const PushLog record = viewer_.record();
+  viewer_.turnToTime(0.1);
+  EXPECT_NEAR(viewer_.time(), 0.1, 1e-9);
+  EXPECT_TRUE(viewer_.timeline().past);
+  EXPECT_EQ(viewer_.record(), record);
+}
+
+TEST_F(ViewerTest, GoingOnFromThePastForgetsWhatCameAfter) {
+  tap(' ');
+  frames(30);
+  clickOnCloth();
+  release(kLeftButton);
+  frames(30);
+  viewer_.turnToTime(0.1);
+  tap(' ');
+  frames(1);
+  EXPECT_FALSE(viewer_.timeline().past);
+  EXPECT_LT(viewer_.time(), 0.2);
+  EXPECT_TRUE(viewer_.record().events.empty());
+}
+
+TEST_F(ViewerTest, BracketsChangeTheStepAtOnceAndARestartKeepsIt) {
+  const double dt = viewer_.simulation().dt();
+  tap(' ');
+  frames(3);
+  tap(']'), tap(']');
+  EXPECT_NEAR(viewer_.simulation().dt(), dt * 1.05 * 1.05, 1e-12);
+  tap('['), tap('['), tap('[');
+  const double smaller = viewer_.simulation().dt();
+  EXPECT_NEAR(smaller, dt / 1.05, 1e-12);
+  tap('R');
+  EXPECT_EQ(viewer_.simulation().dt(), smaller);
+}
+
+TEST_F(ViewerTest, AStepThatIsDraggedPastItsLimitIsWarnedOfBeforeItBreaks) {
+  tap(' ');
+  bool close = false;
+  press(']');
+  for (int frame = 0; frame < 600 && viewer_.state() == RunState::Running; ++frame) {
+    frames(1);
+    close = close || viewer_.margin().band() == MarginBand::Close;
+  }
+  release(']');
+  EXPECT_TRUE(close);
+  EXPECT_EQ(viewer_.margin().band(), MarginBand::Past);
+  EXPECT_EQ(viewer_.state(), RunState::Frozen);
+}
+
+TEST_F(ViewerTest, SlowMotionMakesTimeSlower) {
+  tap(';'), tap(';');
+  EXPECT_EQ(viewer_.speed(), 0.25);
+  tap(' ');
+  frames(60);
+  EXPECT_NEAR(viewer_.time(), 0.25, 0.01);
+  tap('\''), tap('\''), tap('\'');
+  EXPECT_EQ(viewer_.speed(), 1);
+}
+
+TEST_F(ViewerTest, ARestartSurvivesARecordThatCannotBeKept) {
+  viewer_.onRunEnd([](const PushLog&) { throw InputError("the disk is full"); });
+  tap('.');
+  tap('R');
+  EXPECT_EQ(viewer_.state(), RunState::Waiting);
+  EXPECT_EQ(viewer_.time(), 0);
+  EXPECT_EQ(viewer_.note(), "the disk is full");
+}
+
+}  // namespace
+}  // namespace tyg
