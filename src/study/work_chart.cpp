@@ -9,9 +9,9 @@
 
 #include "study/chart_pen.h"
 #include "study/gnuplot.h"
+#include "study/method_look.h"
 #include "study/past_horizon.h"
 #include "study/work_chart_axes.h"
-#include "tyg/methods.h"
 
 namespace tyg {
 namespace {
@@ -30,12 +30,10 @@ struct Look {
 };
 
 Look lookOf(const std::string& method) {
-  constexpr std::array kHollow{8, 6, 4, 10, 12, 14};
-  constexpr std::size_t kColours = 7;
-  const auto names = methodNames();
-  const auto k = static_cast<std::size_t>(std::ranges::find(names, method) - names.begin());
-  const int hollow = kHollow.at(k % kHollow.size());
-  return {chartColour(k), hollow + 1, hollow, k < kColours ? 1 : 2};
+  constexpr std::array kHollow{8, 6, 4, 10, 12, 14};  // in the order of Mark
+  const MethodLook look = lookOfMethod(method);
+  const int hollow = kHollow.at(static_cast<std::size_t>(look.mark));
+  return {chartColour(look.colour), hollow + 1, hollow, look.dashed ? 2 : 1};
 }
 
 /// The same colour, with this much of what lies behind it showing through (00 to ff).
