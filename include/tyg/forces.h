@@ -62,6 +62,8 @@ class Forces {
 
   /// Energies of this state. Sums run row by row in one fixed order.
   [[nodiscard]] StoredEnergy energy(const State<T>& state) const;
+  /// W that damping and drag take from the cloth at these positions and velocities, >= 0. No force evaluation.
+  [[nodiscard]] double lossPower(const VectorField<T>& position, const VectorField<T>& velocity) const;
 
   /// With `on`, every evaluation also works out the power that damping and drag take from the cloth.
   void trackDissipation(bool on) { trackDissipation_ = on; }
@@ -92,7 +94,6 @@ class Forces {
     std::ptrdiff_t at;
     Vec3 force;
   };
-  [[nodiscard]] double dampingPower(const VectorField<T>& position, const VectorField<T>& velocity) const;
 
   Layout layout_;
   Workers& workers_;

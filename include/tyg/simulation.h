@@ -26,6 +26,8 @@ struct Ledger {
   double work = 0;           ///< done by pushes: force times the distance moved, exact
   double dissipated = 0;     ///< by damping and drag; only with Settings::ledger
   double scale = 0;          ///< S of the alarm: the run's own measure of a large energy
+  double storedRise = 0;     ///< largest rise so far of K + E + G - W above its lowest before, fraction of scale
+  double balanceRise = 0;    ///< the same with the alarm's estimate of what damping and drag have taken added
   double drift = 0;          ///< change of the sum since the start as a fraction of scale; only with Settings::ledger
   double maxStretch = 0;     ///< largest spring elongation seen at the looks of the alarm (every 64 steps, and
                              ///< wherever a run stops), fraction of its rest length

@@ -217,7 +217,7 @@ void Forces<T>::advance(Task task, State<T>& state, double h, int count) {
 
 template <class T>
 void Forces<T>::measurePower(const VectorField<T>& position, const VectorField<T>& velocity) {
-  if (trackDissipation_) account_.power = dampingPower(position, velocity);
+  if (trackDissipation_) account_.power = lossPower(position, velocity);
 }
 
 template <class T>
@@ -252,8 +252,10 @@ StoredEnergy Forces<T>::energy(const State<T>& state) const {
 }
 
 template <class T>
-double Forces<T>::dampingPower(const VectorField<T>& position, const VectorField<T>& velocity) const {
+double Forces<T>::lossPower(const VectorField<T>& position, const VectorField<T>& velocity) const {
   Kernel& k = *kernel_;
+  const auto damps = [](const auto& family) { return family.kd > 0; };
+  if (k.energyRow.drag <= 0 && std::ranges::none_of(k.energyRow.families, damps)) return 0;
   workers_.forBands(layout_.rows, [&](int first, int last, int) {
     EnergyRow<T> row = k.energyRow;
     row.position = position.x(), row.velocity = velocity.x();

@@ -41,6 +41,7 @@ class MovingSheetOf final : public MovingSheet {
     return spectrum_->stableStep(method, state_);
   }
   [[nodiscard]] StoredEnergy energy() const override { return forces_.energy(state_); }
+  [[nodiscard]] double lossPower() const override { return forces_.lossPower(state_.position, state_.velocity); }
   [[nodiscard]] double dissipated() const override { return forces_.dissipated(); }
   [[nodiscard]] std::int64_t evaluations() const override { return forces_.evaluations(); }
   [[nodiscard]] Vec3 position(int particle) const override { return state_.position.get(particle); }

@@ -32,6 +32,8 @@ class MovingSheet {
   /// See Simulation::liveStableStep.
   virtual double liveStableStep(const Method& method) = 0;
   [[nodiscard]] virtual StoredEnergy energy() const = 0;
+  /// See Forces::lossPower.
+  [[nodiscard]] virtual double lossPower() const = 0;
   [[nodiscard]] virtual double dissipated() const = 0;
   [[nodiscard]] virtual std::int64_t evaluations() const = 0;
   [[nodiscard]] virtual Vec3 position(int particle) const = 0;
