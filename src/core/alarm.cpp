@@ -27,7 +27,7 @@ double firstSteps(const Scene& scene, const Sheet& sheet) {
 }  // namespace
 
 void Alarm::lose(double power, double time) {
-  lost_ += std::min(power, lastPower_) * (time - lastTime_);
+  lost_ = lost_ * (1 - 1 / kMemory) + std::min(power, lastPower_) * (time - lastTime_);
   lastPower_ = power, lastTime_ = time;
 }
 
@@ -43,8 +43,7 @@ Status Alarm::look(const StoredEnergy& energy, double work) {
   stored_.take(stored, scale(), !looked_);
   balance_.take(stored + lost_, scale(), !looked_);
   looked_ = true;
-  const bool quiet = stored_.largestRise <= kStoredThreshold && balance_.largestRise <= kBalanceThreshold;
-  return quiet ? Status::Ok : Status::Unstable;
+  return std::max(storedRise(), balanceRise()) > kThreshold ? Status::Unstable : Status::Ok;
 }
 
 Alarm makeAlarm(const Scene& scene, const Sheet& sheet, const StoredEnergy& start) {

@@ -20,12 +20,6 @@ constexpr double kMostSteps = 1e15;  // of one run: more would not end, and coul
 double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
-/// Whether a method takes from every wave about what damping should, at any step it holds with: second order at least,
-/// and damping by itself sets it a limit. Explicit Euler, and methods that hold whatever the damping, take far less.
-bool keepsTheBalance(const Method& method) {
-  return method.order > 1 && method.stableStep != nullptr && std::isfinite(method.stableStep(0, 1));
-}
-
 }  // namespace
 
 std::string_view nameOf(Status status) {
@@ -106,7 +100,7 @@ struct Simulation::Body {
     r.largestStep = std::max(r.largestStep, h);
     r.steps += steps;
     if (r.steps % kStepsBetweenLooks == 0) {
-      r.alarm.lose(keepsTheBalance(*r.method) ? moving->lossPower() : 0, r.time);
+      r.alarm.lose(keepsTheBalance() ? moving->lossPower() : 0, r.time);
       look();
       if (observer && !observer()) stopAsked = true;
     }
@@ -170,6 +164,13 @@ struct Simulation::Body {
       }
     }
     return stop;
+  }
+
+  /// Whether the method takes from fast waves about what damping should. One that holds whatever the damping takes
+  /// less, and steps of a method's own choice let fast waves jitter within the tolerance.
+  [[nodiscard]] bool keepsTheBalance() const {
+    const auto stableStep = run().method->stableStep;
+    return !stepsFreely() && stableStep != nullptr && std::isfinite(stableStep(0, 1));
   }
 
   /// Whether the method chooses its own steps. With tolerance 0 an adaptive method takes those of dt, for studies.

@@ -1,0 +1,85 @@
+// Cloths drawn at random from fixed seeds: sizes, springs, damping, pins and what is done to them, within what a cloth
+// may suffer. For tests and statistics that must not be tuned to a few scenes.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "test_systems.h"
+
+namespace tyg::test {
+
+/// Even in the logarithm.
+inline double logBetween(Numbers& numbers, double low, double high) {
+  return low * std::pow(high / low, numbers.between(0, 1));
+}
+
+/// Springs that stretch by between 0.3 and 300 times less than their length under the whole sheet's weight, and damping
+/// between nothing and three times what is critical for the fastest wave.
+inline void drawSprings(Scene& scene, Numbers& numbers) {
+  const double weight = scene.particleMass * 9.81 * std::max(scene.rows, scene.columns);
+  const double ks = logBetween(numbers, 0.3, 300) * weight / scene.spacing;
+  scene.structural.ks = ks;
+  scene.shear.ks = ks * numbers.between(0, 1);
+  scene.bend.ks = numbers.coin() ? ks * numbers.between(0, 0.5) : 0;
+  const double critical = std::sqrt(8 * ks * scene.particleMass) / 8;
+  const double kd = numbers.between(0, 1) < 0.15 ? 0 : critical * logBetween(numbers, 1e-3, 3);
+  scene.structural.kd = kd;
+  scene.shear.kd = numbers.coin() ? kd : kd * numbers.between(0, 1);
+  if (scene.bend.ks > 0) scene.bend.kd = kd * numbers.between(0, 1);
+  scene.damping = numbers.coin() ? Damping::Relative : Damping::Axial;
+}
+
+inline void drawPins(Scene& scene, Numbers& numbers) {
+  const double kind = numbers.between(0, 5);
+  if (kind < 2) {
+    scene.pins = {{"top-left"}, {"top-right"}};
+  } else {
+    scene.pins = {{kind < 3 ? "top" : kind < 4 ? "left" : kind < 4.5 ? "corners" : "middle"}};
+  }
+}
+
+/// A cloth that swings, is poked hard once or thrice, falls fast, buckles under its weight, or is plucked, within
+/// `seconds`.
+inline Scene randomCloth(unsigned seed, double seconds) {
+  Numbers numbers(seed);
+  for (int k = 0; k < 20; ++k) numbers.coin();  // the first numbers of neighbouring seeds are alike
+  Scene scene = emptyWorld(int(numbers.between(4, 17)), int(numbers.between(4, 17)));
+  scene.name = "cloth " + std::to_string(seed);
+  scene.spacing = logBetween(numbers, 0.02, 0.2);
+  scene.particleMass = logBetween(numbers, 1e-3, 0.1);
+  scene.start = numbers.coin() ? Start::Flat : Start::Hanging;
+  scene.gravity = {0, -9.81, 0};
+  scene.duration = seconds;
+  drawSprings(scene, numbers);
+  if (numbers.between(0, 1) < 0.3) scene.drag = scene.particleMass * numbers.between(0.01, 3);
+  drawPins(scene, numbers);
+  const double weight = scene.particleMass * 9.81 * scene.columns * scene.rows;
+  const double kind = numbers.between(0, 6);
+  if (kind < 1) {
+    const double force = weight * logBetween(numbers, 0.1, 5), at = seconds * numbers.between(0, 0.3);
+    scene.pushes = {{{"middle"}, force * Vec3{0.2, 0.3, 0.93}, at, seconds * numbers.between(0.02, 0.3)}};
+  } else if (kind < 2) {
+    for (int k = 0; k < 3; ++k) {
+      const Place place{"", int(numbers.between(0, scene.columns)), int(numbers.between(0, scene.rows))};
+      const Vec3 force = numbers.inCube(2 * weight);
+      const double at = seconds * numbers.between(0, 0.8);
+      scene.pushes.push_back({place, force, at, seconds * numbers.between(0.02, 0.2)});
+    }
+  } else if (kind < 3) {
+    scene.pins.clear();
+    if (numbers.coin()) scene.pins = {{"bottom-left"}};
+    scene.gravity = {0, -9.81 * logBetween(numbers, 1, 10), 0};
+    scene.displacements = {{{"middle"}, numbers.inCube(0.3 * scene.spacing)}};
+  } else if (kind < 4) {
+    scene.start = Start::Hanging;
+    scene.pins = {{"bottom-left"}, {"bottom-right"}};
+    scene.displacements = {{{"middle"}, {0, 0, 0.01 * scene.spacing}}};
+  } else if (kind < 5) {
+    scene.displacements = {{{"middle"}, numbers.inCube(2 * scene.spacing)}};
+    if (numbers.coin()) scene.gravity = {};
+  }
+  return scene;
+}
+
+}  // namespace tyg::test
