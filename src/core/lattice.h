@@ -3,6 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <limits>
+#include <numbers>
 #include <vector>
 
 #include "tyg/scene.h"
@@ -13,6 +16,12 @@ namespace tyg {
 struct Mode {
   double w2 = 0;  ///< 1/s2
   double d = 0;   ///< 1/s
+};
+
+/// A wave of the lattice by its phases from column to column and from row to row, in [0, pi], and one of its modes.
+struct LatticeWave {
+  double qx = 0, qy = 0;
+  Mode mode;
 };
 
 /// The lattice symbols of a scene (model, section 8): springs along one axis give 2 k (1 - cos q) there; both diagonals
@@ -47,6 +56,25 @@ class Lattice {
   double drag_;  // 1/s
   Constants stiffness_, damping_;
 };
+
+/// The wave, among those of a grid, and the mode of it that reaches farthest by a measure of modes.
+template <class Measure>
+LatticeWave extremeWave(const Lattice& lattice, const Measure& reach) {
+  constexpr int kIntervals = 16;
+  constexpr double kStride = std::numbers::pi / kIntervals;
+  LatticeWave best;
+  double farthest = -std::numeric_limits<double>::infinity();
+  for (int j = 0; j <= (lattice.tall() ? kIntervals : 0); ++j) {
+    for (int i = 0; i <= (lattice.wide() ? kIntervals : 0); ++i) {
+      for (const Mode& mode : lattice.modes(i * kStride, j * kStride)) {
+        if (reach(mode) <= farthest) continue;
+        farthest = reach(mode);
+        best = {i * kStride, j * kStride, mode};
+      }
+    }
+  }
+  return best;
+}
 
 /// The modes of all waves on a grid of `intervals` + 1 phases an axis over [0, pi].
 std::vector<Mode> sampledModes(const Scene& scene, int intervals);

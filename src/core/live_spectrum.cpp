@@ -16,7 +16,6 @@ namespace {
 /// touch, as those out of a flat sheet's plane, is found soon; the eigenvalue feels the square.
 constexpr double kMixed = 0.01;
 constexpr double kNothingNew = 1e-4;  // of a product outside the earlier ones: what is left is rounding
-constexpr int kIntervals = 16;        // of the grid of waves, an axis
 
 /// Pull only: pushes and weight do not depend on the state, and would only be rounded.
 Scene withoutWeight(Scene scene) {
@@ -28,24 +27,6 @@ Scene withoutWeight(Scene scene) {
 double noise(std::uint32_t& seed) {
   seed = 1664525U * seed + 1013904223U;
   return double(seed >> 8) / double(1U << 23) - 1;
-}
-
-/// The wave of the sheet at rest, and the mode of it, that reaches farthest by some measure.
-template <class Measure>
-Wave extremeWave(const Lattice& lattice, const Measure& reach) {
-  const double stride = std::numbers::pi / kIntervals;
-  Wave best;
-  double farthest = -std::numeric_limits<double>::infinity();
-  for (int j = 0; j <= (lattice.tall() ? kIntervals : 0); ++j) {
-    for (int i = 0; i <= (lattice.wide() ? kIntervals : 0); ++i) {
-      for (const Mode& mode : lattice.modes(i * stride, j * stride)) {
-        if (reach(mode) <= farthest) continue;
-        farthest = reach(mode);
-        best = {i * stride, j * stride, mode};
-      }
-    }
-  }
-  return best;
 }
 
 }  // namespace
@@ -64,7 +45,7 @@ LiveSpectrum<T>::LiveSpectrum(const Scene& scene, const Sheet& sheet, Workers& w
   for (VectorField<T>* field : {&force_, &position_, &velocity_}) *field = VectorField<T>(layout_);
   for (VectorField<T>& field : basis_) field = VectorField<T>(layout_);
   for (VectorField<T>& field : image_) field = VectorField<T>(layout_);
-  const Wave mostDamped = extremeWave(lattice_, [](const Mode& mode) { return mode.d; });
+  const LatticeWave mostDamped = extremeWave(lattice_, [](const Mode& mode) { return mode.d; });
   mostDamped_ = mostDamped.mode.d;
   const bool flat = scene.start == Start::Flat;
   along_[kStiff] = flat ? Vec3{1, 0, 0.7} : Vec3{1, 0.7, 0};
@@ -86,7 +67,7 @@ void LiveSpectrum<T>::start(const Method& method, bool both) {
 }
 
 template <class T>
-void LiveSpectrum<T>::startFrom(Which which, const Wave& wave) {
+void LiveSpectrum<T>::startFrom(Which which, const LatticeWave& wave) {
   const auto fading = [](int k, int count) { return std::sin(std::numbers::pi * (k + 0.5) / count); };
   Follower& follower = followers_[which];
   follower.mode = wave.mode;
@@ -105,7 +86,7 @@ template <class T>
 double LiveSpectrum<T>::stableStep(const Method& method, const State<T>& state) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   if (method.stableStep == nullptr) return kNone;
-  const bool both = needsDamped(method);
+  const bool both = !hasStraightLevelLines(method, mostDamped_);
   if (!isStarted_) start(method, both);
   if (!follow(method, both ? turn_ : kStiff, state)) return kNone;
   turn_ = turn_ == kStiff ? kDamped : kStiff;
@@ -116,39 +97,11 @@ double LiveSpectrum<T>::stableStep(const Method& method, const State<T>& state) 
   return both ? std::min(limit(kStiff), limit(kDamped)) : limit(kStiff);
 }
 
-/// Whether damping limits the method by modes other than those of the stiff follower: it does not where it sets no
-/// limit, and not where the level lines of stableStep are straight, since one normal then finds the extreme mode of
-/// all.
-template <class T>
-bool LiveSpectrum<T>::needsDamped(const Method& method) const {
-  const double d = mostDamped_, h = d > 0 ? method.stableStep(0, d) : std::numeric_limits<double>::infinity();
-  if (!std::isfinite(h) || h <= 0) return false;
-  const double ratio = method.stableStep(1 / (h * h), 0) / h, w2 = ratio * ratio / (h * h);
-  constexpr double kStraight = 0.01;
-  return std::abs(method.stableStep(w2 / 2, d / 2) / h - 1) > kStraight;
-}
-
-/// The normal of the level line of stableStep through a mode, by differences: of the stiff follower scaled to weight 1
-/// of K, of the damped one to weight 1 of C. Stiffness that helps (a strongly damped mode slows down) has weight below
-/// 0 in the damped one; neither follower turns its back on what it is there for.
-template <class T>
-typename LiveSpectrum<T>::Weights LiveSpectrum<T>::weightsFor(const Method& method, const Mode& mode, Which which) {
-  constexpr double kStep = 1e-4;
-  const double stepW2 = kStep * std::max(mode.w2, mode.d * mode.d), stepD = kStep * std::sqrt(stepW2 / kStep);
-  const double here = method.stableStep(mode.w2, mode.d);
-  if (!(stepW2 > 0) || !(here > 0) || !std::isfinite(here)) {
-    return which == kStiff ? Weights{1, 0} : Weights{0, 1};
-  }
-  const double byStiffness = (here - method.stableStep(mode.w2 + stepW2, mode.d)) / stepW2;
-  const double byDamping = (here - method.stableStep(mode.w2, mode.d + stepD)) / stepD;
-  if (which == kStiff) return {1, byStiffness > 0 && byDamping > 0 ? byDamping / byStiffness : 0};
-  return {byDamping > 0 ? std::min(0.0, byStiffness / byDamping) : 0, 1};
-}
-
 template <class T>
 bool LiveSpectrum<T>::follow(const Method& method, Which which, const State<T>& state) {
   Follower& follower = followers_[which];
-  const Weights weights = weightsFor(method, follower.mode, which);
+  const LineNormal weights =
+      which == kStiff ? normalOfStiff(method, follower.mode) : normalOfDamped(method, follower.mode);
   forces_.evaluate(state.position, state.velocity, force_);
   basis_[0] = follower.direction;
   mix(basis_[0]);
@@ -183,7 +136,7 @@ bool LiveSpectrum<T>::follow(const Method& method, Which which, const State<T>& 
 
 /// result = (a K + b C) u = -(a(x + e a u, v + e b u) - a(x, v)) / e
 template <class T>
-void LiveSpectrum<T>::product(const Weights& weights, const State<T>& state, const VectorField<T>& u,
+void LiveSpectrum<T>::product(const LineNormal& weights, const State<T>& state, const VectorField<T>& u,
                               VectorField<T>& result) {
   const double scale = weights.ofK != 0 ? std::abs(weights.ofK) : std::abs(weights.ofC);
   const double e = reach_ / (scale * largest(u));

@@ -8,16 +8,11 @@
 #include <vector>
 
 #include "core/lattice.h"
+#include "core/level_line.h"
 #include "tyg/integrator.h"
 #include "tyg/scene.h"
 
 namespace tyg {
-
-/// A wave of the sheet at rest by its phases from column to column and row to row, and one of its modes.
-struct Wave {
-  double qx = 0, qy = 0;
-  Mode mode;
-};
 
 /// With K = -da/dx and C = -da/dv of the present state, a direction u of unit length (pinned particles at rest) moves
 /// like the mode w2 = u.Ku, d = u.Cu. The methods' limits are level lines of stableStep(w2, d), and the mode that sets
@@ -46,18 +41,12 @@ class LiveSpectrum {
     VectorField<T> direction;
   };
   enum Which { kStiff, kDamped };
-  /// Of K and of C in what is followed.
-  struct Weights {
-    double ofK = 1, ofC = 0;
-  };
 
   void start(const Method& method, bool both);
-  void startFrom(Which which, const Wave& wave);
-  [[nodiscard]] bool needsDamped(const Method& method) const;
-  [[nodiscard]] static Weights weightsFor(const Method& method, const Mode& mode, Which which);
+  void startFrom(Which which, const LatticeWave& wave);
   /// False where the state is not finite.
   bool follow(const Method& method, Which which, const State<T>& state);
-  void product(const Weights& weights, const State<T>& state, const VectorField<T>& u, VectorField<T>& result);
+  void product(const LineNormal& weights, const State<T>& state, const VectorField<T>& u, VectorField<T>& result);
   void mix(VectorField<T>& direction);
   [[nodiscard]] double dampingOf(const State<T>& state, const VectorField<T>& u);
 
