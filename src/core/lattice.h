@@ -40,6 +40,14 @@ class Lattice {
   /// errs on the safe side where damping costs steps, and with the damping of its own direction, which is exact where
   /// the eigenvectors agree and counts where damping is what keeps a method stable.
   [[nodiscard]] std::array<Mode, 5> modes(double qx, double qy) const;
+  static constexpr std::size_t kOutOfPlane = 2;  ///< of modes()
+
+  /// A mode that no motion of this wave exceeds in stiffness or damping, however the sheet is deformed: a spring pulls
+  /// with no more than ks in every direction (its Hessian never exceeds ks times the graph Laplacian), and either law
+  /// of damping with no more than kd (model, section 8).
+  [[nodiscard]] Mode anyDeformation(double qx, double qy) const {
+    return {everyWay(stiffness_, qx, qy), drag_ + everyWay(damping_, qx, qy)};
+  }
 
  private:
   /// One constant (stiffness or damping) of every family, over the particle mass.

@@ -24,7 +24,7 @@ struct SampledMotion {
   std::int64_t forceEvaluations = 0;
   double largestStep = 0;  ///< s
   double energyDrift =
-      0;  ///< largest size of the ledger's drift at a sample time, fraction of its scale; NaN without ledger
+      0;          ///< largest size of the ledger's drift at a sample time, fraction of its scale; NaN without ledger
   Ledger ledger;  ///< where the run ended; dissipated and drift only with SamplingOptions::ledger
 };
 

@@ -1,115 +1,155 @@
-// The step limit at rest: the smallest stable step over all waves q = (qx, qy) in [0, pi]^2 that the lattice carries.
+// Step limits: the smallest over the waves of the unbounded lattice, over the modes of the finite sheet, and over what
+// any deformation can make of them.
 #include "study/stability.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <vector>
 
-#include "core/lattice.h"
+#include "core/level_line.h"
+#include "study/rest_spectrum.h"
+#include "study/wave_search.h"
 
 namespace tyg {
 namespace {
 
-/// The smallest stable step of a method over the modes of one wave.
-class WaveLimit {
- public:
-  WaveLimit(const Scene& scene, const Method& method) : lattice_(scene), stableStep_(method.stableStep) {}
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kEveryStep = std::numeric_limits<double>::infinity();
 
-  [[nodiscard]] const Lattice& lattice() const { return lattice_; }
+double finiteOrNone(double step) { return std::isfinite(step) ? step : kNone; }
 
-  [[nodiscard]] double operator()(double qx, double qy) const {
-    const std::array<Mode, 5> modes = lattice_.modes(qx, qy);
-    const auto limit = [&](std::size_t k) { return stableStep_(modes.at(k).w2, modes.at(k).d); };
-    double smallest = std::min({limit(0), limit(1), limit(2)});
-    // The last two repeat the first two where a wave has one damping only.
-    if (modes[3].d != modes[0].d) smallest = std::min(smallest, limit(3));
-    if (modes[4].d != modes[1].d) smallest = std::min(smallest, limit(4));
-    return smallest;
-  }
-
- private:
-  Lattice lattice_;
-  double (*stableStep_)(double, double);
-};
-
-struct Wave {
-  double qx = 0, qy = 0, limit = 0;
-};
-
-/// Walks downhill from `best` in shrinking strides. In `best.limit` the error is of second order in the last stride.
-Wave refined(const WaveLimit& limit, Wave best, double stride) {
-  constexpr double kLastStride = 1e-4;
-  const auto inside = [](double q) { return std::clamp(q, 0.0, std::numbers::pi); };
-  while (stride > kLastStride) {
-    Wave next = best;
-    for (const auto& [dx, dy] : {std::array{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}) {
-      const double qx = inside(best.qx + dx * stride), qy = inside(best.qy + dy * stride);
-      const double here = limit(qx, qy);
-      if (here < next.limit) next = {qx, qy, here};
-    }
-    if (next.limit == best.limit) stride /= 2;
-    best = next;
-  }
-  return best;
+/// The mode of a wave that limits a method, as an index into Lattice::modes.
+std::size_t limitingMode(const Method& method, const std::array<Mode, 5>& modes) {
+  std::size_t worst = 0;
+  double smallest = kEveryStep;
+  const auto look = [&](std::size_t k) {
+    const double limit = method.stableStep(modes.at(k).w2, modes.at(k).d);
+    if (limit < smallest) worst = k, smallest = limit;
+  };
+  for (const std::size_t k : {0U, 1U, 2U}) look(k);
+  // The last two repeat the first two where a wave has one damping only.
+  if (modes[3].d != modes[0].d) look(3);
+  if (modes[4].d != modes[1].d) look(4);
+  return worst;
 }
 
-/// The limits on a coarse grid of waves, and which of them are lowest among their neighbours.
-class WaveGrid {
- public:
-  static constexpr int kIntervals = 16;
-  static constexpr double kStride = std::numbers::pi / kIntervals;
+/// The wave of the lattice at rest that limits a method that has a limit of modes.
+LowestWave restWave(const Lattice& lattice, const Method& method) {
+  return lowestWave(lattice.wide(), lattice.tall(), [&](double qx, double qy) {
+    const std::array<Mode, 5> modes = lattice.modes(qx, qy);
+    const Mode& mode = modes.at(limitingMode(method, modes));
+    return method.stableStep(mode.w2, mode.d);
+  });
+}
 
-  explicit WaveGrid(const WaveLimit& limit)
-      : lastX_(limit.lattice().wide() ? kIntervals : 0), lastY_(limit.lattice().tall() ? kIntervals : 0) {
-    for (int j = 0; j <= lastY_; ++j) {
-      for (int i = 0; i <= lastX_; ++i) waves_.push_back({i * kStride, j * kStride, limit(i * kStride, j * kStride)});
-    }
+/// The smallest limit of any mode with 0 <= w2 <= most.w2 and 0 <= d <= most.d. Along a ray through the region a limit
+/// shrinks, so it lies on one of the two outer edges.
+double smallestWithin(const Method& method, const Mode& most) {
+  constexpr int kSamples = 2000;
+  double smallest = kEveryStep;
+  for (int k = 0; k <= kSamples; ++k) {
+    const double share = double(k) / kSamples;
+    smallest = std::min(
+        {smallest, method.stableStep(most.w2, share * most.d), method.stableStep(share * share * most.w2, most.d)});
   }
+  constexpr double kBetweenSamples = 1e-3;
+  return (1 - kBetweenSamples) * smallest;
+}
 
-  [[nodiscard]] std::vector<Wave> valleys() const {
-    std::vector<Wave> found;
-    for (int j = 0; j <= lastY_; ++j) {
-      for (int i = 0; i <= lastX_; ++i) {
-        if (isLowest(i, j)) found.push_back(at(i, j));
-      }
-    }
-    return found;
+double limitOf(const Method& method, const Mode& mode) {
+  return mode.w2 > 0 || mode.d > 0 ? method.stableStep(mode.w2, mode.d) : kEveryStep;
+}
+
+/// The smallest limit of all roots mu, each taken as a mode of its own; those of rigid motions are 0 but for rounding.
+double limitOfRoots(const Method& method, const std::vector<std::complex<double>>& roots) {
+  double fastest = 0, smallest = kEveryStep;
+  for (const std::complex<double>& mu : roots) fastest = std::max(fastest, std::abs(mu));
+  for (const std::complex<double>& mu : roots) {
+    const double size = std::abs(mu);
+    if (size <= 1e-5 * fastest) continue;
+    constexpr double kRounding = 1e-9;
+    const double loss = -mu.real() > kRounding * size ? -mu.real() : 0;
+    const bool turns = std::abs(mu.imag()) > kRounding * size;
+    smallest = std::min(smallest, turns ? method.stableStep(size * size, 2 * loss) : limitOf(method, {0, loss}));
   }
+  return smallest;
+}
 
- private:
-  [[nodiscard]] const Wave& at(int i, int j) const { return waves_[static_cast<std::size_t>(j * (lastX_ + 1) + i)]; }
-  [[nodiscard]] bool isLowest(int i, int j) const {
-    for (int row = std::max(0, j - 1); row <= std::min(lastY_, j + 1); ++row) {
-      for (int column = std::max(0, i - 1); column <= std::min(lastX_, i + 1); ++column) {
-        if (at(column, row).limit < at(i, j).limit) return false;
-      }
-    }
-    return true;
+/// Follows the normals of the method's level lines from one mode to the mode that is farthest along them.
+double settledLimit(const Method& method, const RestSpectrum& spectrum, Mode mode, bool damped) {
+  double limit = kEveryStep;
+  for (int round = 0; round < 8; ++round) {
+    mode = spectrum.farthest(damped ? normalOfDamped(method, mode) : normalOfStiff(method, mode));
+    const double before = limit;
+    limit = limitOf(method, mode);
+    if (std::abs(before - limit) < 1e-7 * limit) break;
   }
+  return limit;
+}
 
-  int lastX_, lastY_;
-  std::vector<Wave> waves_;
-};
+/// Of the finite sheet at rest with its pins.
+double finiteSheetLimit(const Scene& scene, const Method& method, const Mode& ofLattice) {
+  const RestSpectrum spectrum(scene);
+  const Mode across = spectrum.mostDampedOutOfPlane();
+  const bool straight = hasStraightLevelLines(method, ofLattice.d);
+  if (!straight && scene.columns * scene.rows <= RestSpectrum::kMostDense) {
+    return limitOfRoots(method, spectrum.roots());
+  }
+  const double stiff = settledLimit(method, spectrum, ofLattice, false);
+  if (straight) return std::min(stiff, limitOf(method, across));
+  return std::min({stiff, limitOf(method, across), settledLimit(method, spectrum, ofLattice, true)});
+}
 
 }  // namespace
 
 double restLatticeLimit(const Scene& scene, const Method& method) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const auto finite = [](double step) { return std::isfinite(step) ? step : kNone; };
-  if (method.stableStepOfScene != nullptr) return finite(method.stableStepOfScene(scene));
+  if (method.stableStepOfScene != nullptr) return finiteOrNone(method.stableStepOfScene(scene));
   if (method.stableStep == nullptr) return kNone;
-  const WaveLimit limit(scene, method);
-  std::vector<Wave> valleys = WaveGrid(limit).valleys();
-  // The deepest few: a shallow valley does not become the deepest one between two grid points.
-  constexpr std::size_t kStarts = 4;
-  std::ranges::sort(valleys, {}, &Wave::limit);
-  valleys.resize(std::min(kStarts, valleys.size()));
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const Wave& valley : valleys) smallest = std::min(smallest, refined(limit, valley, WaveGrid::kStride / 2).limit);
-  return finite(smallest);
+  return finiteOrNone(restWave(Lattice(scene), method).value);
+}
+
+double certifiedLimit(const Scene& scene, const Method& method) {
+  if (method.stableStep == nullptr) return kNone;
+  const Lattice lattice(scene);
+  const auto over = [&](const WaveFunction& function) { return lowestWave(lattice.wide(), lattice.tall(), function); };
+  const double mostD = -over([&](double qx, double qy) { return -lattice.anyDeformation(qx, qy).d; }).value;
+  if (hasStraightLevelLines(method, mostD)) {
+    return finiteOrNone(
+        over([&](double qx, double qy) { return limitOf(method, lattice.anyDeformation(qx, qy)); }).value);
+  }
+  const double mostW2 = -over([&](double qx, double qy) { return -lattice.anyDeformation(qx, qy).w2; }).value;
+  return finiteOrNone(smallestWithin(method, {mostW2, mostD}));
+}
+
+StepLimit stepLimit(const Scene& scene, const Method& method, bool quick) {
+  StepLimit limit;
+  limit.predicted = restLatticeLimit(scene, method);
+  limit.certified = certifiedLimit(scene, method);
+  if (std::isnan(limit.predicted)) return limit;
+  const Lattice lattice(scene);
+  if (method.stableStep == nullptr || limit.predicted == 0) {
+    // Where no step holds, the fastest wave grows first; where stages are added for damping, it is what they cannot
+    // hold.
+    const LatticeWave wave = extremeWave(lattice, [](const Mode& mode) { return mode.w2; });
+    limit.qx = wave.qx, limit.qy = wave.qy, limit.mode = wave.mode;
+    return limit;
+  }
+  const LowestWave wave = restWave(lattice, method);
+  limit.qx = wave.qx, limit.qy = wave.qy;
+  const std::array<Mode, 5> modes = lattice.modes(wave.qx, wave.qy);
+  const std::size_t worst = limitingMode(method, modes);
+  limit.mode = modes.at(worst);
+  limit.outOfPlane = worst == Lattice::kOutOfPlane;
+  limit.byDamping = method.stableStep(0, limit.mode.d) < method.stableStep(limit.mode.w2, 0);
+  // Explicit Euler holds by the least ratio of damping to stiffness, which only a full spectrum tells.
+  const bool small = scene.columns * scene.rows <= RestSpectrum::kMostDense;
+  const bool isHeldByDamping = method.stableStep(limit.mode.w2, 0) == 0;
+  const bool known = scene.columns * scene.rows <= RestSpectrum::kMostParticles && (small || !isHeldByDamping);
+  if (known && !quick && limit.predicted > 0) {
+    limit.predicted = finiteOrNone(finiteSheetLimit(scene, method, limit.mode));
+  }
+  return limit;
 }
 
 }  // namespace tyg

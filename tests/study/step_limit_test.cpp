@@ -1,0 +1,136 @@
+// The step limits of finite sheets, the bound for any deformation, and what is said about them.
+#include <gtest/gtest.h>
+
+#include "study/rest_spectrum.h"
+#include "study/stability.h"
+#include "test_systems.h"
+#include "tyg/methods.h"
+#include "tyg/simulation.h"
+
+namespace tyg::test {
+namespace {
+
+constexpr double kExact = 1e-6;  // relative; searches and iterations stop there
+
+Scene randomCloth(Numbers& numbers, double mostDamping) {
+  Scene scene = emptyWorld(int(numbers.between(2, 8)), int(numbers.between(2, 8)));
+  scene.start = numbers.coin() ? Start::Flat : Start::Hanging;
+  scene.damping = numbers.coin() ? Damping::Relative : Damping::Axial;
+  scene.structural = {numbers.between(100, 1000), numbers.between(0, mostDamping)};
+  scene.shear = {numbers.between(10, 1000), numbers.between(0, mostDamping)};
+  scene.bend = {numbers.between(10, 500), numbers.between(0, mostDamping)};
+  scene.pins = {{"top-left"}};
+  return scene;
+}
+
+TEST(StepLimit, OfOneOscillatorIsItsClosedForm) {
+  const double w2 = 100, d = 3;
+  const Scene scene = oscillator(w2, d);
+  const auto predicted = [&](const char* name) { return stepLimit(scene, findMethod(name)).predicted; };
+  EXPECT_NEAR(predicted("explicit-euler"), d / w2, kExact * d);
+  const double h = predicted("symplectic-euler"), g = predicted("leapfrog");
+  EXPECT_NEAR(h * h * w2 + 2 * h * d, 4, 4 * kExact);
+  EXPECT_NEAR(g * g * w2 + 4 * g * d, 4, 4 * kExact);
+  EXPECT_NEAR(predicted("imex"), 2 / std::sqrt(w2), kExact);
+  EXPECT_NEAR(predicted("rk4"), findMethod("rk4").stableStep(w2, d), kExact);
+}
+
+TEST(StepLimit, OfAFiniteSheetLiesAtOrAboveTheLatticesWhichEdgesAndPinsOnlyLoosen) {
+  Numbers numbers(3);
+  for (int draw = 0; draw < 10; ++draw) {
+    const Scene scene = randomCloth(numbers, 1);
+    for (const char* name : {"symplectic-euler", "leapfrog", "report-rk4"}) {
+      const Method& method = findMethod(name);
+      const StepLimit limit = stepLimit(scene, method);
+      EXPECT_GE(limit.predicted, (1 - kExact) * restLatticeLimit(scene, method)) << name << " " << draw;
+      EXPECT_LE(limit.certified, (1 + kExact) * restLatticeLimit(scene, method)) << name << " " << draw;
+      EXPECT_GT(limit.certified, 0.5 * limit.predicted / (scene.columns < 3 ? 2 : 1)) << name << " " << draw;
+    }
+  }
+}
+
+TEST(StepLimit, OfALargeSheetIsTheLattices) {
+  const Scene large = withSheet(loadScene("curtain"), 65, 65);
+  const Method& method = findMethod("leapfrog");
+  EXPECT_DOUBLE_EQ(stepLimit(large, method).predicted, restLatticeLimit(large, method));
+  const Scene nearly = withSheet(loadScene("curtain"), 32, 32);
+  EXPECT_NEAR(stepLimit(nearly, method).predicted / restLatticeLimit(nearly, method), 1, 4e-3);
+}
+
+TEST(RestSpectrum, FindsTheSameFastestMotionByIterationAndByAllRoots) {
+  Numbers numbers(5);
+  for (int draw = 0; draw < 5; ++draw) {
+    const RestSpectrum spectrum(randomCloth(numbers, 0));
+    double fastest = 0;
+    for (const std::complex<double>& mu : spectrum.roots()) fastest = std::max(fastest, std::abs(mu));
+    EXPECT_NEAR(spectrum.farthest({1, 0}).w2 / (fastest * fastest), 1, kExact) << draw;
+  }
+}
+
+TEST(RestSpectrum, OfASheetThatIsPinnedEverywhereIsEmpty) {
+  Scene scene = oscillator(100, 1);
+  scene.pins = {{"top-left"}, {"top-right"}};
+  const RestSpectrum spectrum(scene);
+  EXPECT_TRUE(spectrum.roots().empty());
+  EXPECT_EQ(spectrum.farthest({1, 0}).w2, 0);
+  EXPECT_EQ(spectrum.mostDampedOutOfPlane().d, 0);
+}
+
+TEST(CertifiedLimit, IsAtMostTheLiveOneHoweverFarTheSheetIsStretched) {
+  Numbers numbers(11);
+  for (int draw = 0; draw < 6; ++draw) {
+    Scene scene = randomCloth(numbers, 2);
+    const Sheet sheet = makeSheet(scene);
+    const double stretch = numbers.between(0.2, 4);
+    for (int i = 0; i < sheet.count(); ++i) {
+      const Place place{"", i % scene.columns, i / scene.columns};
+      scene.displacements.push_back({place, stretch * sheet.startPosition(i) + numbers.inCube(0.2)});
+    }
+    for (const Method& method : methods()) {
+      const double certified = certifiedLimit(scene, method);
+      if (std::isnan(certified) || (method.name == "imex" && scene.damping == Damping::Axial)) continue;
+      Simulation simulation(scene, method);
+      double live = 0;
+      for (int call = 0; call < 20; ++call) live = simulation.liveStableStep();
+      EXPECT_LE(certified, live) << method.name << " " << draw;
+    }
+  }
+}
+
+TEST(CertifiedLimit, IsNothingForExplicitEulerAndUnknownForMethodsOfTheWholeSpectrum) {
+  const Scene scene = loadScene("curtain");
+  EXPECT_EQ(certifiedLimit(scene, findMethod("explicit-euler")), 0);
+  EXPECT_TRUE(std::isnan(certifiedLimit(scene, findMethod("rkc2"))));
+  EXPECT_TRUE(std::isnan(certifiedLimit(freeFall(), findMethod("rk4"))));
+}
+
+TEST(FirstMode, OfTheCurtainIsStripesInThePlaneSetByStiffness) {
+  const Scene scene = loadScene("curtain");
+  const std::string words = describe(scene, stepLimit(scene, findMethod("rk4"), true));
+  EXPECT_EQ(words, "stripes in plane, q = (3.14, 0.00), set by stiffness");
+}
+
+TEST(FirstMode, OfStrongStructuralDampingIsTheCheckerboardOutOfPlane) {
+  Scene scene = emptyWorld(20, 20);
+  scene.structural = {1, 10};
+  const StepLimit limit = stepLimit(scene, findMethod("rk4"), true);
+  EXPECT_EQ(appearanceOf(scene, limit), "checkerboard");
+  EXPECT_TRUE(limit.outOfPlane);
+  EXPECT_TRUE(limit.byDamping);
+}
+
+TEST(FirstMode, OfAChainIsEachParticleAgainstTheNext) {
+  const Scene scene = hangingChain(20, 0.1, 0.01, {1000, 0});
+  EXPECT_EQ(appearanceOf(scene, stepLimit(scene, findMethod("leapfrog"))), "each against the next");
+}
+
+TEST(FirstMode, DoesNotExistWhereNothingFailsAndEveryMethodWithoutALimitSaysWhy) {
+  for (const Method& method : methods()) {
+    EXPECT_EQ(describe(freeFall(), stepLimit(freeFall(), method)), "none") << method.name;
+    const bool hasLimit = method.stableStep != nullptr || method.stableStepOfScene != nullptr;
+    EXPECT_EQ(whyNoLimit(method).empty(), hasLimit) << method.name;
+  }
+}
+
+}  // namespace
+}  // namespace tyg::test
