@@ -1,9 +1,11 @@
 // The same bits everywhere: every vector level, thread count, optimisation level and compiler gives the stored hashes.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <vector>
 
 #include "core/row_kernel.h"
 #include "tyg/methods.h"
@@ -39,7 +41,20 @@ std::map<std::string, std::string> goldenHashes() {
   return hashes;
 }
 
-TEST(Determinism, EverySceneAndMethodGivesItsGoldenHashAtThisMachinesBestLevel) {
+/// The vector levels of this machine and this build, all of which the one binary holds.
+std::vector<VectorLevel> vectorLevels() {
+  std::vector<VectorLevel> levels;
+  for (int level = 0; level <= int(bestVectorLevel()); ++level) levels.push_back(VectorLevel(level));
+  return levels;
+}
+
+class GoldenHashes : public testing::TestWithParam<VectorLevel> {
+ protected:
+  void SetUp() override { useVectorLevel(GetParam()); }
+  void TearDown() override { useVectorLevel({}); }
+};
+
+TEST_P(GoldenHashes, HoldForEverySceneAndMethod) {
   const std::map<std::string, std::string> golden = goldenHashes();
   EXPECT_FALSE(golden.empty());
   for (const BuiltinScene& builtin : builtinScenes()) {
@@ -56,18 +71,12 @@ TEST(Determinism, EverySceneAndMethodGivesItsGoldenHashAtThisMachinesBestLevel) 
   }
 }
 
-TEST(Determinism, EveryVectorLevelOfThisMachineGivesTheSameBits) {
-  const Scene scene = loadScene("poke");
-  for (const Precision precision : {Precision::Float, Precision::Double}) {
-    useVectorLevel(VectorLevel::Baseline);
-    const std::string expected = hashAfter(scene, findMethod("rk4"), precision, {.threads = 1});
-    for (int level = 1; level <= int(bestVectorLevel()); ++level) {
-      useVectorLevel(VectorLevel(level));
-      EXPECT_EQ(hashAfter(scene, findMethod("rk4"), precision, {.threads = 1}), expected) << "level " << level;
-    }
-    useVectorLevel({});
-  }
+std::string levelName(const testing::TestParamInfo<VectorLevel>& info) {
+  constexpr std::array kNames{"Baseline", "V3", "V4"};
+  return kNames[std::size_t(info.param)];
 }
+
+INSTANTIATE_TEST_SUITE_P(Levels, GoldenHashes, testing::ValuesIn(vectorLevels()), levelName);
 
 TEST(Determinism, AnyNumberOfThreadsGivesTheSameBits) {
   const Scene scene = withSheet(loadScene("poke"), 37, 23);
