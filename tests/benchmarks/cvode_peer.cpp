@@ -1,5 +1,5 @@
-// SUNDIALS' CVODE with the list of springs: Adams methods with fixed-point iteration, and BDF with Newton and GMRES, each
-// at the loosest tolerance (of halvings) that comes within the wanted error of the reference.
+// SUNDIALS' CVODE with the list of springs: Adams methods with fixed-point iteration, and BDF with Newton and GMRES,
+// each at the loosest tolerance (of halvings) that comes within the wanted error of the reference.
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
 #include <sunlinsol/sunlinsol_spgmr.h>
@@ -26,7 +26,8 @@ int derivative(realtype /*t*/, N_Vector y, N_Vector dy, void* springs) {
 /// A scene with at most one push, stepped by CVODE.
 class Cvode {
  public:
-  Cvode(const Scene& scene, Family family, double tolerance) : scene_(scene), springs_(scene), start_(springs_.start()) {
+  Cvode(const Scene& scene, Family family, double tolerance)
+      : scene_(scene), springs_(scene), start_(springs_.start()) {
     must(SUNContext_Create(nullptr, &context_), "context");
     y_ = N_VMake_Serial(sunindextype(start_.size()), start_.data(), context_);
     memory_ = CVodeCreate(family == Family::Adams ? CV_ADAMS : CV_BDF, context_);
@@ -139,7 +140,7 @@ void twoSecondRun(benchmark::State& state) {
 
 void addCvode() {
   const auto add = [](const char* name, void (*run)(benchmark::State&)) {
-    benchmark::RegisterBenchmark(name, run)->UseRealTime()->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark(name, run)->Unit(benchmark::kMillisecond);
     comparisons().push_back({name, "tyg/leapfrog/two_seconds", 50});
   };
   add("cvode/adams/two_seconds", twoSecondRun<Family::Adams>);

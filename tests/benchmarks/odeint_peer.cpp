@@ -130,8 +130,8 @@ void steps(benchmark::State& state) {
 }  // namespace
 
 void addOdeint() {
-  benchmark::RegisterBenchmark("odeint/rk4/list_of_springs", steps<OdeintWithSpringList>)->UseRealTime();
-  benchmark::RegisterBenchmark("odeint/rk4/forces_of_tyg", steps<OdeintWithTygsForces>)->UseRealTime();
+  benchmark::RegisterBenchmark("odeint/rk4/list_of_springs", steps<OdeintWithSpringList>);
+  benchmark::RegisterBenchmark("odeint/rk4/forces_of_tyg", steps<OdeintWithTygsForces>);
   comparisons().push_back({"odeint/rk4/list_of_springs", "tyg/rk4/double", 4.5});
   comparisons().push_back({"odeint/rk4/forces_of_tyg", "tyg/rk4/double", 1});
 }
