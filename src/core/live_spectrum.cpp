@@ -143,18 +143,14 @@ void LiveSpectrum<T>::product(const LineNormal& weights, const State<T>& state, 
   const T moved = T(e * weights.ofK), sped = T(e * weights.ofC), divided = T(-1 / (e * mass_));
   const T *x = state.position.x(), *v = state.velocity.x(), *from = u.x();
   T *toX = position_.x(), *toV = velocity_.x();
-  forNumbers(forces_.workers(), layout_, [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-    for (std::ptrdiff_t i = begin; i < end; ++i) {
-      toX[i] = x[i] + moved * from[i];
-      toV[i] = v[i] + sped * from[i];
-    }
+  forNumbers(forces_.workers(), layout_, [=](std::ptrdiff_t i) {
+    toX[i] = x[i] + moved * from[i];
+    toV[i] = v[i] + sped * from[i];
   });
   forces_.evaluate(position_, velocity_, result);
   T* to = result.x();
   const T* f = force_.x();
-  forNumbers(forces_.workers(), layout_, [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-    for (std::ptrdiff_t i = begin; i < end; ++i) to[i] = divided * (to[i] - f[i]);
-  });
+  forNumbers(forces_.workers(), layout_, [=](std::ptrdiff_t i) { to[i] = divided * (to[i] - f[i]); });
 }
 
 /// Scales to unit length, adds noise, and holds the pinned particles.
@@ -215,9 +211,7 @@ void LiveSpectrum<T>::add(VectorField<T>& to, double keep, double factor, const 
   const T kept = T(keep), added = T(factor);
   T* sum = to.x();
   const T* more = from.x();
-  forNumbers(forces_.workers(), layout_, [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-    for (std::ptrdiff_t i = begin; i < end; ++i) sum[i] = kept * sum[i] + added * more[i];
-  });
+  forNumbers(forces_.workers(), layout_, [=](std::ptrdiff_t i) { sum[i] = kept * sum[i] + added * more[i]; });
 }
 
 template class LiveSpectrum<float>;

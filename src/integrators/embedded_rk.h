@@ -92,14 +92,12 @@ class EmbeddedRk final : public Integrator<T> {
     const T* const vs[] = {stageVelocity<j>(state)...};
     const T* const fs[] = {force_[j].x()...};
     T *stageX = stagePosition_.x(), *stageV = velocity_[i].x();
-    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-      for (std::ptrdiff_t n = begin; n < end; ++n) {
-        T dx = 0, dv = 0;
-        (addTerm<i, j>(dx, vs[j], n), ...);
-        (addTerm<i, j>(dv, fs[j], n), ...);
-        stageX[n] = x[n] + step * dx;
-        stageV[n] = v[n] + kick * dv;
-      }
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t n) {
+      T dx = 0, dv = 0;
+      (addTerm<i, j>(dx, vs[j], n), ...);
+      (addTerm<i, j>(dv, fs[j], n), ...);
+      stageX[n] = x[n] + step * dx;
+      stageV[n] = v[n] + kick * dv;
     });
   }
 

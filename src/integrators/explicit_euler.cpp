@@ -16,11 +16,9 @@ class ExplicitEuler final : public Integrator<T> {
     const T step = T(h), kick = T(h * forces.inverseMass());
     T *x = state.position.x(), *v = state.velocity.x();
     const T* f = force_.x();
-    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-      for (std::ptrdiff_t i = begin; i < end; ++i) {
-        x[i] += step * v[i];
-        v[i] += kick * f[i];
-      }
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) {
+      x[i] += step * v[i];
+      v[i] += kick * f[i];
     });
   }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<ExplicitEuler>(*this); }

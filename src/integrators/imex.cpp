@@ -58,17 +58,13 @@ class Imex final : public Integrator<T> {
     const T step = T(h);
     T* x = state.position.x();
     const T* v = state.velocity.x();
-    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-      for (std::ptrdiff_t i = begin; i < end; ++i) x[i] += step * v[i];
-    });
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) { x[i] += step * v[i]; });
   }
   void kick(Forces<T>& forces, State<T>& state, double h) {
     const T step = T(h * forces.inverseMass());
     T* v = state.velocity.x();
     const T* f = force_.x();
-    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-      for (std::ptrdiff_t i = begin; i < end; ++i) v[i] += step * f[i];
-    });
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) { v[i] += step * f[i]; });
   }
 
   /// D over the particles that move: the graph Laplacian weighted with kd, plus drag.

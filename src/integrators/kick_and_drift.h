@@ -14,11 +14,9 @@ void kickAndDrift(Forces<T>& forces, State<T>& state, VectorField<T>& force, dou
   const T step = T(h), kick = T(h * forces.inverseMass());
   T *x = state.position.x(), *v = state.velocity.x();
   const T* f = force.x();
-  forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-    for (std::ptrdiff_t i = begin; i < end; ++i) {
-      v[i] += kick * f[i];
-      x[i] += step * v[i];
-    }
+  forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) {
+    v[i] += kick * f[i];
+    x[i] += step * v[i];
   });
 }
 

@@ -36,12 +36,10 @@ class Leapfrog final : public Integrator<T> {
     const T step = T(h), halfKick = T(h / 2 * forces.inverseMass());
     T *x = state.position.x(), *v = state.velocity.x(), *u = predicted_.x();
     const T* f = force_.x();
-    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-      for (std::ptrdiff_t i = begin; i < end; ++i) {
-        v[i] += halfKick * f[i];
-        x[i] += step * v[i];
-        u[i] = v[i] + halfKick * f[i];
-      }
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) {
+      v[i] += halfKick * f[i];
+      x[i] += step * v[i];
+      u[i] = v[i] + halfKick * f[i];
     });
   }
 
@@ -52,9 +50,7 @@ class Leapfrog final : public Integrator<T> {
     const T halfKick = T(h / 2 * forces.inverseMass());
     T* v = state.velocity.x();
     const T* f = force_.x();
-    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-      for (std::ptrdiff_t i = begin; i < end; ++i) v[i] += halfKick * f[i];
-    });
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) { v[i] += halfKick * f[i]; });
   }
 
   VectorField<T> force_, predicted_;

@@ -37,13 +37,11 @@ class Rk4 final : public Integrator<T> {
     const T step = T(c), kick = T(c * forces.inverseMass());
     const T *x = state.position.x(), *v = state.velocity.x(), *f = force_.x();
     T *stageX = stage_.position.x(), *stageV = stage_.velocity.x(), *sumV = sumV_.x(), *sumF = sumF_.x();
-    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-      for (std::ptrdiff_t i = begin; i < end; ++i) {
-        sumV[i] = v[i];
-        sumF[i] = f[i];
-        stageX[i] = x[i] + step * v[i];
-        stageV[i] = v[i] + kick * f[i];
-      }
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) {
+      sumV[i] = v[i];
+      sumF[i] = f[i];
+      stageX[i] = x[i] + step * v[i];
+      stageV[i] = v[i] + kick * f[i];
     });
   }
 
@@ -52,13 +50,11 @@ class Rk4 final : public Integrator<T> {
     const T step = T(c), kick = T(c * forces.inverseMass());
     const T *x = state.position.x(), *v = state.velocity.x(), *f = force_.x();
     T *stageX = stage_.position.x(), *stageV = stage_.velocity.x(), *sumV = sumV_.x(), *sumF = sumF_.x();
-    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-      for (std::ptrdiff_t i = begin; i < end; ++i) {
-        sumV[i] += 2 * stageV[i];
-        sumF[i] += 2 * f[i];
-        stageX[i] = x[i] + step * stageV[i];
-        stageV[i] = v[i] + kick * f[i];
-      }
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) {
+      sumV[i] += 2 * stageV[i];
+      sumF[i] += 2 * f[i];
+      stageX[i] = x[i] + step * stageV[i];
+      stageV[i] = v[i] + kick * f[i];
     });
   }
 
@@ -66,11 +62,9 @@ class Rk4 final : public Integrator<T> {
     const T step = T(h / 6), kick = T(h / 6 * forces.inverseMass());
     T *x = state.position.x(), *v = state.velocity.x();
     const T *f = force_.x(), *stageV = stage_.velocity.x(), *sumV = sumV_.x(), *sumF = sumF_.x();
-    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-      for (std::ptrdiff_t i = begin; i < end; ++i) {
-        x[i] += step * (sumV[i] + stageV[i]);
-        v[i] += kick * (sumF[i] + f[i]);
-      }
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) {
+      x[i] += step * (sumV[i] + stageV[i]);
+      v[i] += kick * (sumF[i] + f[i]);
     });
   }
 

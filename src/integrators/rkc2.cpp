@@ -72,11 +72,9 @@ class Rkc2 final : public Integrator<T> {
     const T cx = T(c), cv = T(c * kick);
     const T *x = state.position.x(), *v = state.velocity.x(), *f0 = force0_.x();
     T *toX = now_.position.x(), *toV = now_.velocity.x();
-    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-      for (std::ptrdiff_t i = begin; i < end; ++i) {
-        toX[i] = x[i] + cx * v[i];
-        toV[i] = v[i] + cv * f0[i];
-      }
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) {
+      toX[i] = x[i] + cx * v[i];
+      toV[i] = v[i] + cv * f0[i];
     });
   }
 
@@ -87,11 +85,9 @@ class Rkc2 final : public Integrator<T> {
     const T *nowX = now_.position.x(), *nowV = now_.velocity.x();
     const T *beforeX = before_.position.x(), *beforeV = before_.velocity.x();
     T *toX = next_.position.x(), *toV = next_.velocity.x();
-    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-      for (std::ptrdiff_t i = begin; i < end; ++i) {
-        toX[i] = x[i] + (mu * (nowX[i] - x[i]) + nu * (beforeX[i] - x[i]) + mtX * nowV[i] + gtX * v[i]);
-        toV[i] = v[i] + (mu * (nowV[i] - v[i]) + nu * (beforeV[i] - v[i]) + mtV * f[i] + gtV * f0[i]);
-      }
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) {
+      toX[i] = x[i] + (mu * (nowX[i] - x[i]) + nu * (beforeX[i] - x[i]) + mtX * nowV[i] + gtX * v[i]);
+      toV[i] = v[i] + (mu * (nowV[i] - v[i]) + nu * (beforeV[i] - v[i]) + mtV * f[i] + gtV * f0[i]);
     });
   }
 

@@ -45,25 +45,19 @@ class Xpbd final : public Integrator<T> {
     const T kick = T(h * forces.inverseMass());
     T* v = state.velocity.x();
     const T* f = force_.x();
-    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-      for (std::ptrdiff_t i = begin; i < end; ++i) v[i] += kick * f[i];
-    });
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) { v[i] += kick * f[i]; });
   }
   void moveFreely(Forces<T>& forces, State<T>& state, double h) {
     const T step = T(h);
     T* x = state.position.x();
     const T* v = state.velocity.x();
-    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-      for (std::ptrdiff_t i = begin; i < end; ++i) x[i] += step * v[i];
-    });
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) { x[i] += step * v[i]; });
   }
   void takeVelocity(Forces<T>& forces, State<T>& state, double h) {
     const T perStep = T(1 / h);
     T* v = state.velocity.x();
     const T *x = state.position.x(), *from = start_.x();
-    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t begin, std::ptrdiff_t end) {
-      for (std::ptrdiff_t i = begin; i < end; ++i) v[i] = perStep * (x[i] - from[i]);
-    });
+    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) { v[i] = perStep * (x[i] - from[i]); });
   }
 
   struct Vector {
