@@ -27,8 +27,9 @@ Reference referenceOf(const Scene& scene) {
 StudyPlan planOf(const std::vector<std::string>& names) {
   StudyPlan plan;
   for (const std::string& name : names) plan.methods.push_back(&findMethod(name));
-  plan.runBudget = 0.5;
+  plan.runBudget = 60 * kTick;  // some thousand steps
   plan.fewestRepeats = 1;
+  plan.repeatSeconds = 0;
   plan.threads = 1;
   plan.clock = [now = 0.0]() mutable { return now += kTick; };
   return plan;
