@@ -73,7 +73,7 @@ class View {
     const bool hidden = shown_ == Extent{};
     const double patience = viewer_.idle() || hidden ? kIdleSeconds : spare_;
     for (const WindowEvent& event : window_->events(stale_ ? 0 : patience)) {
-      if (!hud_.takes(event)) viewer_.handle(event);
+      if (!hud_.takes(event) && !hud_.handle(event, viewer_)) viewer_.handle(event);
       stale_ = true;
     }
     if (window_->framebuffer() != shown_) stale_ = true;

@@ -1,5 +1,5 @@
 // Layout of the text over the picture. Everything is drawn from a font size and the screen's size, so that it stays
-// readable and uncut at any scale.
+// readable and uncut at any scale. What stands at the foot of the window is in hud_foot.cpp.
 #include "app/hud.h"
 
 #include <backends/imgui_impl_opengl3.h>
@@ -105,6 +105,14 @@ Hud::~Hud() {
   ImGui::DestroyContext();
 }
 
+Pen Hud::penFor(const Viewer& viewer) const {
+  return {ImGui::GetBackgroundDrawList(), font_, size_, viewer.drawOptions().background};
+}
+
+bool Hud::handle(const WindowEvent& event, Viewer& viewer) {
+  return buttons_.handle(event, viewer) || timeLine_.handle(event, viewer);
+}
+
 bool Hud::takes(const WindowEvent& event) const {
   const ImGuiIO& io = ImGui::GetIO();
   switch (event.kind) {
@@ -134,7 +142,7 @@ Hud::Column Hud::measure(bool choices) const {
 Hud::Column Hud::columnOf(bool choices, const ImVec2& screen) const {
   Column column = measure(choices);
   const Column other = measure(!choices);
-  const auto lines = static_cast<float>(4 + std::max(column.lines, other.lines));  // the status is below
+  const auto lines = static_cast<float>(5 + std::max(column.lines, other.lines));  // the status is below
   const float width = size_ + std::max(column.width, other.width);
   // A window too small for the keys gets smaller keys rather than cut ones, or keys over the cloth.
   const float fit = std::min({1.0F, screen.y / (kLineRatio * size_ * lines), kKeysShare * screen.x / width});
@@ -165,14 +173,16 @@ void Hud::draw(const Viewer& viewer) {
                                          .accent = IM_COL32(0, 92, 190, 255),
                                          .warning = IM_COL32(176, 76, 0, 255),
                                          .shade = IM_COL32(255, 255, 255, 210)};
-  write(font_, size_, {size_, size_}, colours.text, viewer.simulation().scene().title);
+  const Pen pen = penFor(viewer);
+  const std::string_view title = viewer.simulation().scene().title;
+  pen.shade({size_, size_}, {size_ + pen.extent(title).x, 2 * size_});
+  pen.write({size_, size_}, colours.text, title);
   if (viewer.showsHelp()) {
     drawKeys(viewer, colours);
   } else {
     write(font_, size_, {size_, size_ * (1 + kLineRatio)}, colours.dim, "H shows the keys");
   }
-  drawStatus(viewer, colours);
-  drawPrompt(viewer, colours);
+  drawFoot(viewer);
   drawArrow(viewer, colours);
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
@@ -181,6 +191,8 @@ void Hud::draw(const Viewer& viewer) {
 void Hud::drawKeys(const Viewer& viewer, const Colours& colours) const {
   for (const bool choices : {false, true}) {
     const Column column = columnOf(choices, screenSize());
+    const float bottom = column.top + (kLineRatio * float(column.lines) + (choices ? 0.6F : 0)) * column.size;
+    penFor(viewer).shade({column.left, column.top}, {column.left + column.width, bottom});
     float y = column.top;
     bool methodLines = choices;
     for (const HelpLine& line : help_) {
@@ -195,57 +207,6 @@ void Hud::drawKeys(const Viewer& viewer, const Colours& colours) const {
       y += kLineRatio * column.size;
     }
   }
-}
-
-void Hud::drawStatus(const Viewer& viewer, const Colours& colours) const {
-  const Pace& pace = viewer.pace();
-  StepText step;
-  describeStep(viewer.simulation(), step);
-  std::array<char, 64> rates{"- frames/s  \u00b7  - % simulating"}, behind{};
-  if (pace.framesPerSecond > 0) {
-    std::snprintf(rates.data(), rates.size(), "%.0f frames/s  \u00b7  %.0f %% simulating", pace.framesPerSecond,
-                  100 * pace.simulating);
-  }
-  if (viewer.behind()) std::snprintf(behind.data(), behind.size(), "  \u00b7  %.2g of real time", pace.realTime);
-  const std::string_view method = viewer.simulation().method().name;
-  std::array<char, 256> text{};
-  std::snprintf(text.data(), text.size(), "%.*s  \u00b7  %s  \u00b7  t %.3f s  \u00b7  %s%s",
-                static_cast<int>(method.size()), method.data(), step.data(), viewer.time(), rates.data(),
-                behind.data());
-  const float width = extentOf(font_, size_, text.data()).x;
-  const float size = size_ * std::min(1.0F, (screenSize().x - 2 * size_) / std::max(width, 1.0F));
-  write(font_, size, {size_, screenSize().y - size_ - size}, viewer.behind() ? colours.warning : colours.dim,
-        text.data());
-}
-
-void Hud::drawPrompt(const Viewer& viewer, const Colours& colours) const {
-  std::array<char, 1024> text{};
-  ImU32 colour = colours.text;
-  if (viewer.state() == RunState::Frozen) {
-    const std::string_view next = viewer.method().name;
-    std::snprintf(text.data(), text.size(), "%s\nR restarts with %.*s; a number key chooses another method for it.",
-                  viewer.message().c_str(), static_cast<int>(next.size()), next.data());
-    colour = colours.warning;
-  } else if (!viewer.note().empty()) {
-    std::snprintf(text.data(), text.size(), "%s", viewer.note().c_str());
-    colour = colours.warning;
-  } else if (viewer.state() == RunState::Waiting) {
-    std::snprintf(text.data(), text.size(), "space to start");
-  } else if (viewer.state() == RunState::Paused) {
-    std::snprintf(text.data(), text.size(), "paused  \u00b7  space goes on");
-  } else {
-    return;
-  }
-  const float size = viewer.state() == RunState::Frozen || !viewer.note().empty() ? size_ : size_ * kLargeRatio;
-  ImFont* font = size > size_ ? large_ : font_;
-  const float wrap = screenSize().x - 4 * size_;
-  const ImVec2 extent = extentOf(font, size, text.data(), wrap);
-  const ImVec2 at{0.5F * (screenSize().x - extent.x), screenSize().y - 3.2F * size_ - extent.y};
-  const float pad = 0.6F * size_;
-  ImGui::GetBackgroundDrawList()->AddRectFilled({at.x - 1.5F * pad, at.y - pad},
-                                                {at.x + extent.x + 1.5F * pad, at.y + extent.y + pad}, colours.shade,
-                                                0.5F * size_);
-  write(font, size, at, colour, text.data(), wrap);
 }
 
 void Hud::drawArrow(const Viewer& viewer, const Colours& colours) const {

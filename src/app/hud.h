@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/overlay.h"
 #include "app/viewer.h"
 
 struct ImDrawList;
@@ -25,6 +26,8 @@ class Hud {
   /// True where the event belongs to a panel and the viewer must not see it. Releases always reach the viewer: no key
   /// stays down there because a panel got the other half.
   [[nodiscard]] bool takes(const WindowEvent& event) const;
+  /// Buttons and the line of time use the event: true where the viewer must not see it.
+  bool handle(const WindowEvent& event, Viewer& viewer);
   /// Pixels of the framebuffer that the keys take on each side.
   [[nodiscard]] int margin() const;
   void draw(const Viewer& viewer);
@@ -35,8 +38,12 @@ class Hud {
   [[nodiscard]] Column measure(bool choices) const;
   [[nodiscard]] Column columnOf(bool choices, const ImVec2& screen) const;
   void drawKeys(const Viewer& viewer, const Colours& colours) const;
-  void drawStatus(const Viewer& viewer, const Colours& colours) const;
-  void drawPrompt(const Viewer& viewer, const Colours& colours) const;
+  [[nodiscard]] Pen penFor(const Viewer& viewer) const;
+  void drawFoot(const Viewer& viewer);
+  [[nodiscard]] float drawStatus(const Viewer& viewer) const;
+  float drawTimeLine(const Viewer& viewer, float bottom);
+  void drawPrompt(const Viewer& viewer, float bottom) const;
+  void drawFailure(const Viewer& viewer, float bottom);
   void drawArrow(const Viewer& viewer, const Colours& colours) const;
 
   Window& window_;
@@ -44,6 +51,8 @@ class Hud {
   ImFont* large_ = nullptr;
   float size_ = 18;  ///< of the text, in ImGui's units
   std::vector<HelpLine> help_;
+  TimeLine timeLine_;
+  Buttons buttons_;
 };
 
 }  // namespace tyg

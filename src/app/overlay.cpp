@@ -107,7 +107,7 @@ float drawMargin(const Pen& pen, ImVec2 at, float width, const Margin& margin) {
   describe(margin, text);
   std::array<char, 48> cost{};
   if (margin.cost > 0)
-    std::snprintf(cost.data(), cost.size(), "  \u00b7  known at %.1f %% of the time", 100 * margin.cost);
+    std::snprintf(cost.data(), cost.size(), "  \u00b7  found in %.1f %% of the time", 100 * margin.cost);
   const bool bar = margin.band() != MarginBand::None;
   const float barWidth = bar ? std::min(9 * pen.size, 0.3F * width) : 0, gap = bar ? 0.6F * pen.size : 0;
   const float words = pen.extent(text.data()).x, costs = pen.extent(cost.data()).x;
@@ -185,6 +185,12 @@ float Buttons::height(const Pen& pen, const std::vector<Button>& buttons, float 
     x += wide + kButtonGap * pen.size;
   }
   return lines * (kButtonHeight + kButtonGap) * pen.size;
+}
+
+float Buttons::width(const Pen& pen, const std::vector<Button>& buttons) {
+  float sum = 0;
+  for (const Button& button : buttons) sum += buttonWidth(pen, button) + kButtonGap * pen.size;
+  return std::max(0.0F, sum - kButtonGap * pen.size);
 }
 
 void Buttons::draw(const Pen& pen, ImVec2 at, const std::vector<Button>& buttons, float width) {

@@ -59,6 +59,7 @@ class Buttons {
   };
   /// Height of the row within this width, where it may need more than one line.
   [[nodiscard]] static float height(const Pen& pen, const std::vector<Button>& buttons, float width);
+  [[nodiscard]] static float width(const Pen& pen, const std::vector<Button>& buttons);  ///< in one line
   void draw(const Pen& pen, ImVec2 at, const std::vector<Button>& buttons, float width);
   void hide() { places_.clear(); }
   /// True where the event was a press on a button, whose action was then performed.

@@ -196,7 +196,6 @@ void Viewer::moveCloth(double frameSeconds) {
     endReplay();
     state_ = RunState::Paused;
   }
-  stepMargin_.look(simulation_, clock_);
 }
 
 /// Ticks to simulate in one call, so that it takes no longer than `seconds` of wall time.

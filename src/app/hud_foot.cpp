@@ -1,0 +1,145 @@
+// The foot of the window: status, margin, the line of time, and what the person may do next.
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "app/hud.h"
+
+namespace tyg {
+namespace {
+
+constexpr float kLine = 1.5F, kLargeRatio = 1.5F;  // in sizes of the text
+
+/// `1/8 speed`; nothing at full speed.
+void describeSpeed(double speed, std::array<char, 32>& text) {
+  text[0] = 0;
+  if (speed < 1) std::snprintf(text.data(), text.size(), "  \u00b7  1/%.0f speed", 1 / speed);
+}
+
+std::vector<Buttons::Button> waysOut(const Viewer& viewer) {
+  std::vector<Buttons::Button> buttons;
+  const bool finite = viewer.simulation().status() != Status::NotFinite;
+  if (const auto& cure = viewer.cure()) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "a step of %.3g ms", 1e3 * cure->step);
+    if (cure->step > 0) buttons.push_back({"V", text.data(), InputAction::SafeStep});
+    if (cure->method != nullptr) buttons.push_back({"M", std::string(cure->method->name), InputAction::HoldingMethod});
+    buttons.push_back({"J", "see it again, slowly", InputAction::Again});
+    if (finite) buttons.push_back({"Enter", "run on, let it break", InputAction::RunOn});
+  }
+  buttons.push_back({",", "a step back", InputAction::StepBack});
+  buttons.push_back({"R", "restart", InputAction::Restart});
+  return buttons;
+}
+
+ImU32 warningOn(Background background) {
+  return background == Background::Dark ? IM_COL32(255, 186, 96, 255) : IM_COL32(176, 76, 0, 255);
+}
+ImU32 textOn(Background background) {
+  return background == Background::Dark ? IM_COL32(232, 236, 242, 255) : IM_COL32(28, 32, 40, 255);
+}
+
+}  // namespace
+
+void Hud::drawFoot(const Viewer& viewer) {
+  float bottom = drawStatus(viewer);
+  bottom = drawTimeLine(viewer, bottom);
+  if (viewer.state() == RunState::Frozen) {
+    drawFailure(viewer, bottom);
+  } else {
+    buttons_.hide();
+    drawPrompt(viewer, bottom);
+  }
+}
+
+/// Returns the height above which the window is free.
+float Hud::drawStatus(const Viewer& viewer) const {
+  const Pace& pace = viewer.pace();
+  StepText step;
+  describeStep(viewer.simulation(), step);
+  std::array<char, 64> rates{"- frames/s  \u00b7  - % simulating"}, behind{};
+  if (pace.framesPerSecond > 0) {
+    std::snprintf(rates.data(), rates.size(), "%.0f frames/s  \u00b7  %.0f %% simulating", pace.framesPerSecond,
+                  100 * pace.simulating);
+  }
+  if (viewer.behind()) std::snprintf(behind.data(), behind.size(), "  \u00b7  %.2g of real time", pace.realTime);
+  std::array<char, 32> speed{};
+  describeSpeed(viewer.speed(), speed);
+  const std::string_view method = viewer.simulation().method().name;
+  std::array<char, 256> text{};
+  std::snprintf(text.data(), text.size(), "%.*s  \u00b7  %s  \u00b7  t %.3f s%s  \u00b7  %s%s",
+                static_cast<int>(method.size()), method.data(), step.data(), viewer.time(), speed.data(), rates.data(),
+                behind.data());
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  Pen pen = penFor(viewer);
+  const float room = screen.x - 2 * size_, width = pen.extent(text.data()).x;
+  const ImVec2 at{size_, screen.y - 2 * size_};
+  drawMargin(pen, {at.x, at.y - kLine * size_}, room, viewer.margin());
+  pen.size *= std::min(1.0F, room / std::max(width, 1.0F));
+  pen.shade(at, {at.x + std::min(width, room), at.y + pen.size});
+  pen.write(at, viewer.behind() ? warningOn(pen.background) : textOn(pen.background), text.data());
+  return at.y - kLine * size_ - 0.6F * size_;
+}
+
+/// Only where time stands: it is not in the way of a moving cloth.
+float Hud::drawTimeLine(const Viewer& viewer, float bottom) {
+  const bool stands = viewer.state() == RunState::Paused || viewer.state() == RunState::Frozen;
+  if (!stands && !timeLine_.dragged()) {
+    timeLine_.hide();
+    return bottom;
+  }
+  const float width = ImGui::GetIO().DisplaySize.x;
+  timeLine_.draw(penFor(viewer), {size_, bottom - 1.4F * size_}, {width - size_, bottom - 0.2F * size_}, viewer);
+  return bottom - 2 * size_;
+}
+
+void Hud::drawFailure(const Viewer& viewer, float bottom) {
+  const Pen pen = penFor(viewer);
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const std::vector<Buttons::Button> buttons = waysOut(viewer);
+  const float room = screen.x - 4 * size_;
+  const ImVec2 extent = pen.extent(viewer.message(), room);
+  const float row = Buttons::height(pen, buttons, room);
+  const float width = std::max(extent.x, std::min(room, Buttons::width(pen, buttons)));
+  const ImVec2 at{0.5F * (screen.x - width), bottom - 0.6F * size_ - row - 0.5F * size_ - extent.y};
+  pen.shade({at.x - 0.5F * size_, at.y - 0.4F * size_}, {at.x + width + 0.5F * size_, bottom - 0.6F * size_});
+  pen.write(at, warningOn(pen.background), viewer.message(), room);
+  buttons_.draw(pen, {at.x, at.y + extent.y + 0.5F * size_}, buttons, room);
+}
+
+void Hud::drawPrompt(const Viewer& viewer, float bottom) const {
+  std::array<char, 1024> text{};
+  Pen pen = penFor(viewer);
+  ImU32 colour = textOn(pen.background);
+  const auto say = [&text](const char* format, auto... values) {
+    std::snprintf(text.data(), text.size(), format, values...);
+  };
+  const Timeline time = viewer.timeline();
+  const bool warns = !viewer.note().empty() || viewer.breaking();
+  if (!viewer.note().empty()) {
+    say("%s", viewer.note().c_str());
+  } else if (viewer.state() == RunState::Waiting) {
+    say("%s", "space to start");
+  } else if (viewer.state() == RunState::Paused && time.past) {
+    say("%.2f s back  \u00b7  space goes on from here", time.newest - time.shown);
+  } else if (viewer.state() == RunState::Paused) {
+    say("%s", "paused  \u00b7  space goes on");
+  } else if (viewer.breaking()) {
+    say("%s", "past its alarm: V takes a safe step, M a method that holds, R restarts");
+  } else {
+    return;
+  }
+  if (warns) colour = warningOn(pen.background);
+  if (!warns) pen.font = large_, pen.size *= kLargeRatio;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float wrap = screen.x - 4 * size_;
+  const ImVec2 extent = pen.extent(text.data(), wrap);
+  const ImVec2 at{0.5F * (screen.x - extent.x), bottom - 0.6F * size_ - extent.y};
+  pen.shade(at, {at.x + extent.x, at.y + extent.y});
+  pen.write(at, colour, text.data(), wrap);
+}
+
+}  // namespace tyg
