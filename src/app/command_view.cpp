@@ -26,6 +26,8 @@ namespace {
 constexpr int kMostPixels = 16384;
 /// While nothing moves the loop wakes this often, for the log's ten lines a second.
 constexpr double kIdleSeconds = 0.08;
+/// Frames shown after an event: panels find their size and place over a few of them.
+constexpr int kFramesToSettle = 4;
 /// Frames come no faster than this where the screen sets no rhythm.
 constexpr double kShortestFrame = 1.0 / 250;
 
@@ -49,8 +51,10 @@ class View {
   View(const ViewOptions& options, const Scene& scene, Viewer& viewer)
       : viewer_(viewer),
         window_(openWindow(options, scene)),
-        renderer_(viewer.simulation().sheet()),
+        renderer_(std::make_unique<SheetRenderer>(viewer.simulation().sheet())),
+        drawnSheet_(viewer.sheetsSoFar()),
         hud_(*window_, std::stod(options.uiScale)),
+        panels_(hud_.textSize()),
         opened_(now()) {
     if (options.log) log_ = std::make_unique<ViewLog>(*options.log);
   }
@@ -59,10 +63,11 @@ class View {
     while (!window_->closeRequested() && !viewer_.leaving() && !interrupted()) {
       const double began = now();
       takeEvents();
-      viewer_.resize(window_->framebuffer(), viewer_.showsHelp() ? hud_.margin() : 0);
-      stale_ = stale_ || !viewer_.idle();
+      viewer_.resize(window_->framebuffer(), margin());
+      const bool moving = !viewer_.idle() || panels_.busy();
       viewer_.frame();
-      if (stale_ || !viewer_.idle()) show();
+      panels_.follow(viewer_);
+      if (stale_ > 0 || moving || !viewer_.idle()) show();
       writeLog();
       spare_ = std::max(0.0, kShortestFrame - (now() - began));
     }
@@ -72,25 +77,39 @@ class View {
   void takeEvents() {
     const bool hidden = shown_ == Extent{};
     const double patience = viewer_.idle() || hidden ? kIdleSeconds : spare_;
-    for (const WindowEvent& event : window_->events(stale_ ? 0 : patience)) {
-      if (!hud_.takes(event) && !hud_.handle(event, viewer_)) viewer_.handle(event);
-      stale_ = true;
+    for (const WindowEvent& event : window_->events(stale_ > 0 || panels_.busy() ? spare_ : patience)) {
+      if (!hud_.takes(event) && !hud_.handle(event, viewer_) && !panels_.handle(event)) viewer_.handle(event);
+      stale_ = kFramesToSettle;
     }
-    if (window_->framebuffer() != shown_) stale_ = true;
+    if (window_->framebuffer() != shown_) stale_ = kFramesToSettle;
+  }
+
+  /// Pixels at each side that are not the cloth's.
+  [[nodiscard]] int margin() const {
+    const int panels = static_cast<int>(std::max(panels_.width(Edge::Left), panels_.width(Edge::Right)));
+    return std::max(panels, viewer_.showsHelp() ? hud_.margin() : 0);
+  }
+
+  void drawSheet() {
+    if (drawnSheet_ != viewer_.sheetsSoFar()) {
+      renderer_ = std::make_unique<SheetRenderer>(viewer_.simulation().sheet());
+      drawnSheet_ = viewer_.sheetsSoFar();
+    }
+    renderer_->draw(viewer_.positions(), viewer_.camera(), {shown_.width, shown_.height}, viewer_.drawOptions(),
+                    viewer_.shownPush());
   }
 
   /// Trouble while drawing is shown by the text that is drawn over it.
   void show() {
     shown_ = window_->framebuffer();
-    stale_ = false;
+    stale_ = std::max(0, stale_ - 1);
     if (window_->closeRequested() || shown_.width <= 0 || shown_.height <= 0) return;
     try {
-      renderer_.draw(viewer_.positions(), viewer_.camera(), {shown_.width, shown_.height}, viewer_.drawOptions(),
-                     viewer_.shownPush());
+      drawSheet();
     } catch (const std::exception& error) {
       viewer_.freeze(error.what());
     }
-    hud_.draw(viewer_);
+    hud_.draw(viewer_, panels_);
     window_->swap();
   }
 
@@ -105,18 +124,20 @@ class View {
     } catch (const std::exception& error) {
       log_.reset();
       viewer_.note(error.what());
-      stale_ = true;
+      stale_ = kFramesToSettle;
     }
   }
 
   Viewer& viewer_;
   std::unique_ptr<Window> window_;
-  SheetRenderer renderer_;
+  std::unique_ptr<SheetRenderer> renderer_;
+  int drawnSheet_;
   Hud hud_;
+  Panels panels_;
   std::unique_ptr<ViewLog> log_;
   double opened_, spare_ = 0;
   std::int64_t frame_ = 0;
-  bool stale_ = true;  ///< something happened since the last frame was shown
+  int stale_ = kFramesToSettle;  ///< frames to show, because something happened
   Extent shown_;
 };
 

@@ -15,10 +15,6 @@
 
 namespace tyg {
 
-struct Hud::Colours {
-  ImU32 text, dim, accent, warning, shade;
-};
-
 /// One of the two blocks of keys: left, driving; right, choices.
 struct Hud::Column {
   float size = 0, left = 0, top = 0;
@@ -159,53 +155,44 @@ int Hud::margin() const {
   return static_cast<int>(std::max(columnOf(false, screen).width, columnOf(true, screen).width) + 2 * size_);
 }
 
-void Hud::draw(const Viewer& viewer) {
+void Hud::draw(Viewer& viewer, Panels& panels) {
   ImGui_ImplOpenGL3_NewFrame();
   window_.beginOverlayFrame();
-  const bool dark = viewer.drawOptions().background == Background::Dark;
-  const Colours colours = dark ? Colours{.text = IM_COL32(232, 236, 242, 255),
-                                         .dim = IM_COL32(148, 156, 170, 255),
-                                         .accent = IM_COL32(126, 190, 255, 255),
-                                         .warning = IM_COL32(255, 186, 96, 255),
-                                         .shade = IM_COL32(12, 14, 20, 190)}
-                               : Colours{.text = IM_COL32(28, 32, 40, 255),
-                                         .dim = IM_COL32(96, 104, 118, 255),
-                                         .accent = IM_COL32(0, 92, 190, 255),
-                                         .warning = IM_COL32(176, 76, 0, 255),
-                                         .shade = IM_COL32(255, 255, 255, 210)};
+  const Colours& colours = coloursOn(viewer.drawOptions().background);
   const Pen pen = penFor(viewer);
   const std::string_view title = viewer.simulation().scene().title;
   pen.shade({size_, size_}, {size_ + pen.extent(title).x, 2 * size_});
   pen.write({size_, size_}, colours.text, title);
   if (viewer.showsHelp()) {
-    drawKeys(viewer, colours);
-  } else {
+    for (const bool choices : {false, true}) {
+      if (panels.width(choices ? Edge::Right : Edge::Left) == 0) drawKeys(viewer, colours, choices);
+    }
+  } else if (panels.width(Edge::Left) == 0) {
     write(font_, size_, {size_, size_ * (1 + kLineRatio)}, colours.dim, "H shows the keys");
   }
   drawFoot(viewer);
   drawArrow(viewer, colours);
+  panels.draw(viewer);
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-void Hud::drawKeys(const Viewer& viewer, const Colours& colours) const {
-  for (const bool choices : {false, true}) {
-    const Column column = columnOf(choices, screenSize());
-    const float bottom = column.top + (kLineRatio * float(column.lines) + (choices ? 0.6F : 0)) * column.size;
-    penFor(viewer).shade({column.left, column.top}, {column.left + column.width, bottom});
-    float y = column.top;
-    bool methodLines = choices;
-    for (const HelpLine& line : help_) {
-      if (isChoice(line.action) != choices) continue;
-      if (methodLines && line.action != InputAction::ChooseMethod) {
-        methodLines = false;
-        y += 0.6F * column.size;
-      }
-      const bool on = isOn(line, viewer);
-      write(font_, column.size, {column.left, y}, on ? colours.accent : colours.text, line.keys);
-      write(font_, column.size, {column.left + column.keys, y}, on ? colours.accent : colours.dim, line.help);
-      y += kLineRatio * column.size;
+void Hud::drawKeys(const Viewer& viewer, const Colours& colours, bool choices) const {
+  const Column column = columnOf(choices, screenSize());
+  const float bottom = column.top + (kLineRatio * float(column.lines) + (choices ? 0.6F : 0)) * column.size;
+  penFor(viewer).shade({column.left, column.top}, {column.left + column.width, bottom});
+  float y = column.top;
+  bool methodLines = choices;
+  for (const HelpLine& line : help_) {
+    if (isChoice(line.action) != choices) continue;
+    if (methodLines && line.action != InputAction::ChooseMethod) {
+      methodLines = false;
+      y += 0.6F * column.size;
     }
+    const bool on = isOn(line, viewer);
+    write(font_, column.size, {column.left, y}, on ? colours.accent : colours.text, line.keys);
+    write(font_, column.size, {column.left + column.keys, y}, on ? colours.accent : colours.dim, line.help);
+    y += kLineRatio * column.size;
   }
 }
 

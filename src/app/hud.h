@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/overlay.h"
+#include "app/panels/panels.h"
 #include "app/viewer.h"
 
 struct ImDrawList;
@@ -30,14 +31,15 @@ class Hud {
   bool handle(const WindowEvent& event, Viewer& viewer);
   /// Pixels of the framebuffer that the keys take on each side.
   [[nodiscard]] int margin() const;
-  void draw(const Viewer& viewer);
+  /// The text and the panels, which take the place of the keys at their edge of the window.
+  void draw(Viewer& viewer, Panels& panels);
+  [[nodiscard]] float textSize() const { return size_; }  ///< pixels
 
  private:
-  struct Colours;
   struct Column;
   [[nodiscard]] Column measure(bool choices) const;
   [[nodiscard]] Column columnOf(bool choices, const ImVec2& screen) const;
-  void drawKeys(const Viewer& viewer, const Colours& colours) const;
+  void drawKeys(const Viewer& viewer, const Colours& colours, bool choices) const;
   [[nodiscard]] Pen penFor(const Viewer& viewer) const;
   void drawFoot(const Viewer& viewer);
   [[nodiscard]] float drawStatus(const Viewer& viewer) const;

@@ -32,6 +32,7 @@ constexpr std::array kInputs{
     Input{'V', SafeStep, "V", "a safe step"},
     Input{'M', HoldingMethod, "M", ""},
     Input{kEnterKey, RunOn, "Enter", ""},
+    Input{'K', OpenControl, "K", "control: all that can be set"},
     Input{'H', ShowHelp, "H", "these keys"},
     Input{kEscapeKey, Leave, "Esc", "leave"},
     Input{'1', ChooseMethod, "1", "method"},
@@ -45,12 +46,12 @@ constexpr std::array kInputs{
     Input{'9', ChooseMethod, "9", "method"},
     Input{'0', ChooseMethod, "0", "method"},
     Input{'-', ChooseMethod, "-", "method"},
-    Input{'T', ShowStructural, "T", "structural lines"},
+    Input{'L', ShowStructural, "L", "structural lines"},
     Input{'X', ShowShear, "X", "shear lines"},
     Input{'N', ShowBend, "N", "bend lines"},
     Input{'P', ShowParticles, "P", "particles"},
     Input{'I', ShowPins, "I", "pins"},
-    Input{'G', ShowGround, "G", "ground"},
+    Input{'U', ShowGround, "U", "ground"},
     Input{'B', ChangeBackground, "B", "light, dark"},
 };
 

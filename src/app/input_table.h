@@ -18,6 +18,7 @@ enum class InputAction {
   Poke, Look, Approach,
   MoveForward, MoveLeft, MoveBack, MoveRight, MoveDown, MoveUp, FrameCloth,
   SmallerStep, LargerStep, SafeStep, HoldingMethod, RunOn,
+  OpenControl,
   ShowHelp, Leave,
   ChooseMethod,
   ShowStructural, ShowShear, ShowBend, ShowParticles, ShowPins, ShowGround, ChangeBackground,

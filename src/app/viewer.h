@@ -14,6 +14,7 @@
 #include "app/history.h"
 #include "app/input_table.h"
 #include "app/margin.h"
+#include "app/scene_change.h"
 #include "app/view_log.h"
 #include "app/window.h"
 #include "gfx/sheet_renderer.h"
@@ -67,6 +68,9 @@ class Viewer {
   void freeze(std::string message);
   /// Shows the text until the next input.
   void note(std::string text) { note_ = std::move(text); }
+  /// Goes on with this scene: at once where the running simulation can (another method or step), else from the start.
+  /// Changes nothing and shows a note where the scene does not fit together. Returns what it took.
+  SceneChange use(const Scene& scene);
   /// Called with the log of a run that has ended, at a restart.
   void onRunEnd(std::function<void(const PushLog&)> keep) { onRunEnd_ = std::move(keep); }
 
@@ -74,6 +78,10 @@ class Viewer {
   [[nodiscard]] bool leaving() const { return leaving_; }
   [[nodiscard]] bool idle() const;  ///< nothing moves until the next input
   [[nodiscard]] const Simulation& simulation() const { return simulation_; }
+  /// The scene that a restart begins, with the method and step that are in use.
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+  /// Counts the sheets there have been: what is made for one sheet is made anew when this changes.
+  [[nodiscard]] int sheetsSoFar() const { return sheetsSoFar_; }
   [[nodiscard]] const Method& method() const { return *method_; }  ///< chosen; frozen: for the next run
   [[nodiscard]] const Camera& camera() const { return camera_; }
   [[nodiscard]] const DrawOptions& drawOptions() const { return draw_; }
@@ -105,6 +113,9 @@ class Viewer {
   void press(const Input& input, const WindowEvent& event);
   void release(KeyCode key);
   void toggle(InputAction action);
+  void useLive(const Scene& scene);
+  void begin(const Scene& scene, bool newSheet);
+  void startOver(Simulation fresh);
   void startOrPause();
   void goOn();
   void step();
@@ -142,6 +153,7 @@ class Viewer {
   Clock clock_;
   const Method* method_;
   Simulation simulation_;
+  int sheetsSoFar_ = 1;
   FrameClock frameClock_;
   History history_;
   MarginWatch stepMargin_;

@@ -151,6 +151,7 @@ void Viewer::useMethod(const Method& method) {
     simulation_.useMethod(method);
   }
   method_ = &method;
+  scene_.integrator = method.name;
 }
 
 /// Another moment may have had another method or step.
@@ -161,7 +162,10 @@ void Viewer::followSimulation() {
   frameClock_.setTick(simulation_.dt());
 }
 
-void Viewer::restart() {
+void Viewer::restart() { startOver(Simulation(scene_, *method_, settings_)); }
+
+/// Waits at the start of `fresh`, which is a simulation of scene_.
+void Viewer::startOver(Simulation fresh) {
   std::string trouble;
   try {
     if (onRunEnd_ && history_.newest(simulation_).ticks > 0) onRunEnd_(record());
@@ -173,7 +177,8 @@ void Viewer::restart() {
   arrived_ = {};
   cure_.reset();
   lastGood_.reset();
-  simulation_ = Simulation(scene_, *method_, settings_);
+  simulation_ = std::move(fresh);
+  positions_.resize(static_cast<std::size_t>(3 * simulation_.sheet().count()));
   history_.begin(simulation_);
   stepMargin_.restart();
   frameClock_.setTick(scene_.dt);

@@ -20,9 +20,10 @@ inline constexpr bool isMouse(KeyCode key) { return key >= kLeftButton && key <=
 struct WindowEvent {
   enum class Kind { Press, Release, Move, Scroll, FocusLost, Exposed };  ///< Exposed: what was shown is gone
   Kind kind = Kind::Press;
-  KeyCode key = 0;      ///< Press, Release
-  double x = 0, y = 0;  ///< Move, and Press and Release of a mouse button
-  double notches = 0;   ///< Scroll: wheel steps, positive away from the person
+  KeyCode key = 0;                      ///< Press, Release
+  double x = 0, y = 0;                  ///< Move, and Press and Release of a mouse button
+  double notches = 0;                   ///< Scroll: wheel steps, positive away from the person
+  bool control = false, shift = false;  ///< Press: those keys are down as well
 };
 
 /// Pixels; 0 x 0 while nothing of the window can be seen.

@@ -127,10 +127,13 @@ class GlfwWindow final : public Window {
     return {.kind = kind, .key = key, .x = x * across, .y = y * down};
   }
 
-  static void onKey(GLFWwindow* window, int key, int scancode, int action, int) {
+  static void onKey(GLFWwindow* window, int key, int scancode, int action, int modifiers) {
     if (action == GLFW_REPEAT) return;
     const auto kind = action == GLFW_PRESS ? WindowEvent::Kind::Press : WindowEvent::Kind::Release;
-    of(window).events_.push_back({.kind = kind, .key = keyCode(key, scancode)});
+    of(window).events_.push_back({.kind = kind,
+                                  .key = keyCode(key, scancode),
+                                  .control = (modifiers & GLFW_MOD_CONTROL) != 0,
+                                  .shift = (modifiers & GLFW_MOD_SHIFT) != 0});
   }
   static void onButton(GLFWwindow* window, int button, int action, int) {
     double x = 0, y = 0;

@@ -180,6 +180,10 @@ class GlutWindow final : public Window {
     events_.push_back({.kind = kind, .key = code, .x = double(x), .y = double(y)});
   }
   void key(WindowEvent::Kind kind, unsigned char character) {
+    const int modifiers = glutGetModifiers();
+    const bool control = (modifiers & GLUT_ACTIVE_CTRL) != 0;
+    // freeglut gives control and Z as the 26th character.
+    if (control && character >= 1 && character <= 26) character = static_cast<unsigned char>(character + '@');
     const bool lower = character >= 'a' && character <= 'z';
     const auto code = static_cast<KeyCode>(lower ? character - 'a' + 'A' : character);
     // Control characters below space would read as mouse buttons.
@@ -187,7 +191,7 @@ class GlutWindow final : public Window {
     keysDown_ += kind == WindowEvent::Kind::Press ? 1 : -1;
     if (keysDown_ <= 0) keysDown_ = 0;
     if (keysDown_ == 1 && kind == WindowEvent::Kind::Press) focus_ = focusNow();
-    events_.push_back({.kind = kind, .key = code});
+    events_.push_back({.kind = kind, .key = code, .control = control, .shift = (modifiers & GLUT_ACTIVE_SHIFT) != 0});
   }
 
   [[nodiscard]] ::Window focusNow() const {

@@ -226,7 +226,7 @@ TEST_F(ViewerTest, AMinimisedWindowChangesNothing) {
 }
 
 TEST_F(ViewerTest, TogglesSwitchWhatIsDrawn) {
-  tap('X'), tap('N'), tap('P'), tap('I'), tap('T'), tap('G'), tap('B'), tap('H');
+  tap('X'), tap('N'), tap('P'), tap('I'), tap('L'), tap('U'), tap('B'), tap('H');
   const DrawOptions& draw = viewer_.drawOptions();
   EXPECT_TRUE(draw.shear && draw.bend && draw.particles);
   EXPECT_FALSE(draw.pins || draw.structural || draw.ground || viewer_.showsHelp());

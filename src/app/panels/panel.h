@@ -1,0 +1,58 @@
+// What a panel is: a part of the laboratory that is drawn inside a window of its own over the cloth.
+// Adding one is a file, a line in panel_table.cpp and a line in input_table.cpp for its key.
+// Must not know: any panel in particular, where panels are placed.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "app/input_table.h"
+#include "app/panels/style.h"
+
+namespace tyg {
+
+class Viewer;
+
+/// What a panel is drawn with.
+struct PanelScope {
+  Viewer& viewer;
+  const Colours& colours;
+  Background background;
+  float size;  ///< of the text, pixels
+};
+
+/// A panel lives from its first opening to the end of the program, and keeps its state while closed.
+class Panel {
+ public:
+  Panel() = default;
+  virtual ~Panel() = default;
+  Panel(const Panel&) = delete;
+  Panel& operator=(const Panel&) = delete;
+
+  /// Its widgets, once a frame while it is open, between ImGui's Begin and End. Throws nothing: what goes
+  /// wrong is said by Viewer::note.
+  virtual void draw(const PanelScope& scope) = 0;
+  /// Once a frame while it is open, after the cloth has moved and before anything is drawn.
+  virtual void follow(Viewer& /*viewer*/) {}
+  /// It was closed: what runs in the background stops.
+  virtual void close() {}
+  /// True while it has something new to show by itself; the window then keeps drawing even where the cloth rests.
+  [[nodiscard]] virtual bool busy() const { return false; }
+};
+
+enum class Edge { Left, Right };  ///< of the window, where a panel stands until somebody drags it away
+
+/// A line of the table of panels.
+struct PanelKind {
+  InputAction action;      ///< of the key that opens and closes it
+  std::string_view title;  ///< a word or two
+  Edge edge;
+  float width;   ///< in text sizes
+  float height;  ///< in text sizes; 0: as high as its contents
+  std::unique_ptr<Panel> (*make)();
+};
+/// Every panel, in the order in which they stand below each other.
+std::span<const PanelKind> panelTable();
+
+}  // namespace tyg

@@ -1,0 +1,16 @@
+// Every panel, one line each.
+#include <array>
+
+#include "app/panels/control.h"
+#include "app/panels/panel.h"
+
+namespace tyg {
+
+std::span<const PanelKind> panelTable() {
+  static constexpr std::array kPanels{
+      PanelKind{InputAction::OpenControl, "Control", Edge::Left, 21, 0, makeControlPanel},
+  };
+  return kPanels;
+}
+
+}  // namespace tyg

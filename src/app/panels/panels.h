@@ -1,0 +1,51 @@
+// The panels that are open: opens and closes them by key, x and Esc, and stands them along the window's edges, where
+// they cover the keys and not the cloth. Must not know: what any panel shows, window libraries.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "app/panels/panel.h"
+#include "app/window.h"
+
+namespace tyg {
+
+class Panels {
+ public:
+  /// `size`: of the text, pixels. An ImGui context exists as long as this lives.
+  explicit Panels(float size) : size_(size), places_(panelTable().size()) {}
+
+  /// What the person did, after ImGui had its choice: a panel's key opens or closes it, Esc closes the one opened last.
+  /// True where that was all; false where the event is for the viewer.
+  bool handle(const WindowEvent& event);
+  void toggle(InputAction action);
+  [[nodiscard]] bool isOpen(InputAction action) const;
+
+  /// Once a frame, after the cloth has moved.
+  void follow(Viewer& viewer);
+  /// All open panels, between ImGui::NewFrame and ImGui::Render.
+  void draw(Viewer& viewer);
+
+  /// Pixels that panels standing at this edge take of the window's width; 0 where there are none.
+  [[nodiscard]] float width(Edge edge) const;
+  [[nodiscard]] bool busy() const;
+
+ private:
+  struct Place {
+    std::unique_ptr<Panel> panel;  ///< null until it is first opened
+    bool open = false;
+    bool dragged = false;  ///< stands where somebody put it
+    float x = 0, y = 0;    ///< where it was placed, pixels
+    float height = 0;      ///< as last drawn, pixels; 0 before
+  };
+  void setOpen(std::size_t which, bool open);
+  void closeLast();
+  void drawOne(std::size_t which, Viewer& viewer, float top);
+  [[nodiscard]] float widthOf(const PanelKind& kind) const;
+
+  float size_;
+  std::vector<Place> places_;       ///< one for each line of the table
+  std::vector<std::size_t> order_;  ///< of those open, last opened last
+};
+
+}  // namespace tyg

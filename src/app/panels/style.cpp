@@ -1,0 +1,86 @@
+// The colours; see style.h.
+#include "app/panels/style.h"
+
+#include <imgui.h>
+
+#include <array>
+
+namespace tyg {
+namespace {
+
+constexpr Colours kOnDark{.text = IM_COL32(232, 236, 242, 255),
+                          .dim = IM_COL32(148, 156, 170, 255),
+                          .accent = IM_COL32(126, 190, 255, 255),
+                          .good = IM_COL32(84, 200, 160, 255),
+                          .warning = IM_COL32(255, 186, 96, 255),
+                          .shade = IM_COL32(12, 14, 20, 190),
+                          .panel = IM_COL32(22, 26, 34, 236),
+                          .field = IM_COL32(44, 50, 62, 255)};
+constexpr Colours kOnLight{.text = IM_COL32(28, 32, 40, 255),
+                           .dim = IM_COL32(96, 104, 118, 255),
+                           .accent = IM_COL32(0, 92, 190, 255),
+                           .good = IM_COL32(0, 122, 88, 255),
+                           .warning = IM_COL32(176, 76, 0, 255),
+                           .shade = IM_COL32(255, 255, 255, 210),
+                           .panel = IM_COL32(250, 251, 253, 240),
+                           .field = IM_COL32(226, 230, 238, 255)};
+
+using Series = std::array<Colour, 7>;
+constexpr Series kSeriesOnLight{IM_COL32(0, 114, 178, 255),   IM_COL32(213, 94, 0, 255),  IM_COL32(0, 158, 115, 255),
+                                IM_COL32(204, 121, 167, 255), IM_COL32(230, 159, 0, 255), IM_COL32(86, 180, 233, 255),
+                                IM_COL32(0, 0, 0, 255)};
+// The first two are a little lighter, or they would sink into the dark; black becomes white.
+constexpr Series kSeriesOnDark{IM_COL32(64, 156, 224, 255),  IM_COL32(238, 120, 32, 255), IM_COL32(0, 178, 130, 255),
+                               IM_COL32(222, 144, 188, 255), IM_COL32(230, 159, 0, 255),  IM_COL32(126, 205, 250, 255),
+                               IM_COL32(240, 240, 240, 255)};
+
+ImVec4 unpacked(Colour colour, float share = 1) {
+  ImVec4 result = ImGui::ColorConvertU32ToFloat4(colour);
+  result.w *= share;
+  return result;
+}
+
+}  // namespace
+
+const Colours& coloursOn(Background background) { return background == Background::Dark ? kOnDark : kOnLight; }
+
+Colour seriesColour(std::size_t k, Background background) {
+  const Series& series = background == Background::Dark ? kSeriesOnDark : kSeriesOnLight;
+  return series.at(k % series.size());
+}
+
+Colour faded(Colour colour, float share) { return ImGui::ColorConvertFloat4ToU32(unpacked(colour, share)); }
+
+void applyStyle(Background background, float size) {
+  const Colours& colours = coloursOn(background);
+  ImGuiStyle& style = ImGui::GetStyle();
+  background == Background::Dark ? ImGui::StyleColorsDark(&style) : ImGui::StyleColorsLight(&style);
+  const auto set = [&style](ImGuiCol place, Colour colour, float share = 1) {
+    style.Colors[place] = unpacked(colour, share);
+  };
+  set(ImGuiCol_Text, colours.text), set(ImGuiCol_TextDisabled, colours.dim);
+  set(ImGuiCol_WindowBg, colours.panel), set(ImGuiCol_PopupBg, colours.panel), set(ImGuiCol_ChildBg, colours.panel, 0);
+  set(ImGuiCol_TitleBg, colours.panel), set(ImGuiCol_TitleBgActive, colours.field);
+  set(ImGuiCol_Border, colours.dim, 0.35F), set(ImGuiCol_Separator, colours.dim, 0.35F);
+  set(ImGuiCol_FrameBg, colours.field), set(ImGuiCol_FrameBgHovered, colours.accent, 0.25F);
+  set(ImGuiCol_FrameBgActive, colours.accent, 0.4F);
+  set(ImGuiCol_Button, colours.field), set(ImGuiCol_ButtonHovered, colours.accent, 0.35F);
+  set(ImGuiCol_ButtonActive, colours.accent, 0.55F);
+  set(ImGuiCol_Header, colours.accent, 0.25F), set(ImGuiCol_HeaderHovered, colours.accent, 0.35F);
+  set(ImGuiCol_HeaderActive, colours.accent, 0.5F);
+  set(ImGuiCol_SliderGrab, colours.accent), set(ImGuiCol_SliderGrabActive, colours.accent);
+  set(ImGuiCol_CheckMark, colours.accent), set(ImGuiCol_TextSelectedBg, colours.accent, 0.35F);
+  set(ImGuiCol_ScrollbarBg, colours.panel, 0), set(ImGuiCol_ScrollbarGrab, colours.dim, 0.5F);
+  style.WindowRounding = style.FrameRounding = style.PopupRounding = style.GrabRounding = 0.3F * size;
+  style.WindowPadding = {0.7F * size, 0.6F * size};
+  style.FramePadding = {0.45F * size, 0.25F * size};
+  style.ItemSpacing = {0.5F * size, 0.4F * size};
+  style.ItemInnerSpacing = {0.4F * size, 0.3F * size};
+  style.ScrollbarSize = 0.8F * size;
+  style.GrabMinSize = 0.7F * size;
+  style.WindowBorderSize = 1;
+  style.WindowTitleAlign = {0, 0.5F};
+  style.WindowMenuButtonPosition = ImGuiDir_None;
+}
+
+}  // namespace tyg

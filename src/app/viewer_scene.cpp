@@ -1,0 +1,44 @@
+// What the viewer does when a person changes the scene itself.
+#include <utility>
+
+#include "app/room.h"
+#include "app/viewer.h"
+#include "tyg/methods.h"
+
+namespace tyg {
+
+SceneChange Viewer::use(const Scene& scene) {
+  const SceneChange change = changeBetween(scene_, scene);
+  try {
+    if (change == SceneChange::Live) useLive(scene);
+    if (change > SceneChange::Live) begin(scene, change == SceneChange::NewSheet);
+  } catch (const std::exception& error) {
+    note_ = error.what();
+    return SceneChange::None;
+  }
+  return change;
+}
+
+/// Another method or step. A frozen simulation stays as it is: they are for the next run.
+void Viewer::useLive(const Scene& scene) {
+  useMethod(findMethod(scene.integrator));
+  if (scene.dt != scene_.dt) useStep(scene.dt);
+  scene_ = scene;
+}
+
+void Viewer::begin(const Scene& scene, bool newSheet) {
+  const Method& method = findMethod(scene.integrator);
+  Simulation fresh(scene, method, settings_);  // first: it may refuse the scene
+  const bool running = state_ == RunState::Running;
+  scene_ = scene;
+  method_ = &method;
+  startOver(std::move(fresh));
+  if (running) startOrPause();
+  if (!newSheet) return;
+  ++sheetsSoFar_;
+  picked_ = -1;
+  room_ = roomOf(simulation_, box_, settings_, clock_);
+  frameCloth();
+}
+
+}  // namespace tyg
