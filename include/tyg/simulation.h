@@ -76,6 +76,9 @@ class Simulation {
   /// Goes on with another method or step from the next tick on, logged. Throws InputError where dt is not positive.
   void useMethod(const Method& method);
   void useStep(double dt);
+  /// Whether to follow the dissipated energy, from now on (see Settings::ledger): the drift then counts from now. What
+  /// moves stays the same to the last bit.
+  void followLedger(bool on);
   /// Whether to run on past the alarm, from now on.
   void keepGoing(bool yes);
   /// Does at their ticks what a log says, from now (tick 0) on; `methods` is where its method names are looked up.

@@ -35,6 +35,10 @@ class MovingSheetOf final : public MovingSheet {
   void clearPushes() override { forces_.clearPushes(); }
   void addPush(int particle, const Vec3& force) override { forces_.addPush(particle, force); }
   void reset() override { integrator_->reset(); }
+  void trackDissipation(bool on) override {
+    forces_.trackDissipation(on);
+    forces_.measurePower(state_.position, state_.velocity);  // methods that keep a force begin with its power
+  }
 
   double liveStableStep(const Method& method) override {
     if (!spectrum_) spectrum_.emplace(scene_, sheet_, workers_);

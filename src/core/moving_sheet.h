@@ -31,6 +31,8 @@ class MovingSheet {
 
   /// See Simulation::liveStableStep.
   virtual double liveStableStep(const Method& method) = 0;
+  /// See Forces::trackDissipation.
+  virtual void trackDissipation(bool on) = 0;
   [[nodiscard]] virtual StoredEnergy energy() const = 0;
   /// See Forces::lossPower.
   [[nodiscard]] virtual double lossPower() const = 0;

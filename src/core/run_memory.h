@@ -42,6 +42,7 @@ struct Run {
   double maxStretch = 0;
   double startHeight = 0;  // J, gravitational energy of the start shape
   double startSum = 0;     // J, of the ledger
+  bool ledger = false;     // what is dissipated has been followed since then
 
   PushLog log;
   std::vector<LogEvent> script;  // of a replay, ascending ticks

@@ -57,6 +57,7 @@ struct Simulation::Body {
     r.dt = scene.dt;
     r.startHeight = start.gravitational;
     r.startSum = start.kinetic + start.elastic;
+    r.ledger = asked.ledger;
     for (const Push& push : scene.pushes) {
       TimedPush timed;
       timed.particle = particleAt(sheet, push.particle);
@@ -78,6 +79,18 @@ struct Simulation::Body {
       if (push.acting) sum += dot(push.force, moving->position(push.particle) - push.from);
     }
     return sum;
+  }
+
+  [[nodiscard]] double ledgerSum(const StoredEnergy& energy) const {
+    return energy.kinetic + energy.elastic + energy.gravitational + moving->dissipated() - work();
+  }
+
+  void followLedger(bool on) {
+    settings.ledger = on;
+    moving->trackDissipation(on);
+    if (run().ledger == on) return;
+    run().startSum = ledgerSum(look());
+    run().ledger = on;
   }
 
   StoredEnergy look() {
@@ -353,6 +366,8 @@ void Simulation::apply(const LogEvent& event, std::span<const Method> methods) {
   body_->play(event);
 }
 
+void Simulation::followLedger(bool on) { body_->followLedger(on); }
+
 void Simulation::replay(const PushLog& log, std::span<const Method> methods) {
   refuseUnfitLog(log, body_->run().log);
   body_->replayMethods = methods;
@@ -395,10 +410,7 @@ Ledger Simulation::ledger() {
   ledger.storedRise = run.alarm.storedRise();
   ledger.balanceRise = run.alarm.balanceRise();
   ledger.maxStretch = run.maxStretch;
-  if (body_->settings.ledger) {
-    const double sum = energy.kinetic + energy.elastic + energy.gravitational + ledger.dissipated - ledger.work;
-    ledger.drift = (sum - run.startSum) / ledger.scale;
-  }
+  if (run.ledger) ledger.drift = (body_->ledgerSum(energy) - run.startSum) / ledger.scale;
   return ledger;
 }
 
@@ -429,6 +441,7 @@ void Simulation::restore(const Snapshot& snapshot) {
   body_->run() = saved.run;
   body_->moving->restore(*saved.moment);
   body_->applyPushes();
+  body_->followLedger(body_->settings.ledger);
 }
 
 }  // namespace tyg

@@ -88,6 +88,28 @@ TEST(Ledger, OfAnUndampedSwingKeepsItsSumWithEachSecondOrderMethod) {
   }
 }
 
+TEST(Ledger, CanBeFollowedFromTheMiddleOfARunAndAcrossAReturn) {
+  constexpr double kDrift = 0.01;  // as from the start
+  Scene scene = busyScene(Damping::Relative);
+  scene.dt = 1.0 / 512;
+  for (const Method& method : methods()) {
+    Simulation simulation(scene, method), plain(scene, method);
+    simulation.advanceTo(0.5), plain.advanceTo(0.5);
+    const Snapshot before = simulation.save();
+    simulation.followLedger(true);
+    EXPECT_EQ(simulation.ledger().drift, 0) << method.name;
+    simulation.advanceTo(1), plain.advanceTo(1);
+    EXPECT_LT(std::abs(simulation.ledger().drift), kDrift) << method.name;
+    EXPECT_GT(simulation.ledger().dissipated, 0) << method.name;
+    EXPECT_EQ(simulation.hash(), plain.hash()) << method.name;
+    simulation.restore(before);
+    EXPECT_EQ(simulation.ledger().drift, 0) << method.name;
+    simulation.advanceTo(1);
+    EXPECT_LT(std::abs(simulation.ledger().drift), kDrift) << method.name;
+    EXPECT_EQ(simulation.hash(), plain.hash()) << method.name;
+  }
+}
+
 TEST(Ledger, CostsNoBits) {
   const Scene scene = busyScene(Damping::Axial);
   Simulation with(scene, findMethod("rk4"), {.ledger = true}), without(scene, findMethod("rk4"));

@@ -1,0 +1,25 @@
+// A ring of samples.
+#include "app/running_series.h"
+
+#include <algorithm>
+
+namespace tyg {
+
+RunningSeries::RunningSeries(std::size_t channels, double window)
+    : channels_(channels), window_(window), times_(kMost), values_(kMost * channels) {}
+
+void RunningSeries::add(double time, std::span<const float> values) {
+  while (count_ > 0 && this->time(count_ - 1) > time) --count_;
+  const double least = window_ / double(kMost - 1);
+  if (count_ > 0 && time - this->time(count_ - 1) < least) return;
+  while (count_ == kMost || (count_ > 0 && this->time(0) < time - window_)) {
+    first_ = (first_ + 1) % kMost;
+    --count_;
+  }
+  const std::size_t at = place(count_);
+  times_[at] = time;
+  std::copy_n(values.begin(), channels_, values_.begin() + static_cast<std::ptrdiff_t>(at * channels_));
+  ++count_;
+}
+
+}  // namespace tyg

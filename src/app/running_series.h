@@ -1,0 +1,41 @@
+// The last seconds of a few quantities of the running cloth, for plots that run along with it.
+// Must not know: what the quantities are, how they are drawn.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace tyg {
+
+class RunningSeries {
+ public:
+  /// `channels` numbers a sample (>= 1), over the last `window` simulated seconds (> 0). All memory is taken here.
+  RunningSeries(std::size_t channels, double window);
+
+  /// A sample at `time` (s). A time before the last one means that the cloth went back: later samples are forgotten.
+  /// Samples closer than a thousandth of the window to the last one are left out.
+  void add(double time, std::span<const float> values);
+  void clear() { count_ = 0; }
+
+  [[nodiscard]] std::size_t size() const { return count_; }
+  [[nodiscard]] std::size_t channels() const { return channels_; }
+  [[nodiscard]] double window() const { return window_; }
+  /// The k-th of the samples, the oldest first.
+  [[nodiscard]] double time(std::size_t k) const { return times_[place(k)]; }
+  [[nodiscard]] float value(std::size_t k, std::size_t channel) const {
+    return values_[place(k) * channels_ + channel];
+  }
+
+ private:
+  static constexpr std::size_t kMost = 1001;
+  [[nodiscard]] std::size_t place(std::size_t k) const { return (first_ + k) % kMost; }
+
+  std::size_t channels_;
+  double window_;
+  std::vector<double> times_;
+  std::vector<float> values_;
+  std::size_t first_ = 0, count_ = 0;
+};
+
+}  // namespace tyg

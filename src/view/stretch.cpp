@@ -1,0 +1,53 @@
+// Walks the springs of a family without listing them.
+#include "view/stretch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace tyg {
+namespace {
+
+struct Offset {
+  int columns, rows;
+};
+
+std::array<Offset, 2> offsetsOf(Family family) {
+  switch (family) {
+    case Family::Structural:
+      return {{{1, 0}, {0, 1}}};
+    case Family::Shear:
+      return {{{1, 1}, {-1, 1}}};
+    default:
+      return {{{2, 0}, {0, 2}}};
+  }
+}
+
+}  // namespace
+
+Stretch stretchOf(const Sheet& sheet, std::span<const float> xyz, Family family) {
+  double sum = 0, longest = 0, shortest = std::numeric_limits<double>::infinity();
+  long long springs = 0;
+  const auto coordinate = [&](int particle, int axis) {
+    return double(xyz[3 * std::size_t(particle) + std::size_t(axis)]);
+  };
+  for (const Offset& offset : offsetsOf(family)) {
+    for (int row = 0; row + offset.rows < sheet.rows; ++row) {
+      for (int column = std::max(0, -offset.columns); column < sheet.columns - std::max(0, offset.columns); ++column) {
+        const int a = row * sheet.columns + column, b = a + offset.rows * sheet.columns + offset.columns;
+        double square = 0;
+        for (const int axis : {0, 1, 2}) square += std::pow(coordinate(b, axis) - coordinate(a, axis), 2);
+        const double length = std::sqrt(square);
+        sum += length;
+        longest = std::max(longest, length), shortest = std::min(shortest, length);
+        ++springs;
+      }
+    }
+  }
+  if (springs == 0) return {};
+  const double rest = restLength(sheet, family);
+  return {.mean = sum / (double(springs) * rest) - 1, .largest = longest / rest - 1, .smallest = shortest / rest - 1};
+}
+
+}  // namespace tyg
