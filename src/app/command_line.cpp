@@ -90,6 +90,7 @@ int parseAndRun(CLI::App& app, std::vector<std::string> words) {
   addRenderCommand(app, action);
   addPlotCommand(app, action);
   addChartCommand(app, action);
+  addDietCommand(app, action);
   addListCommand(app, action);
   app.require_subcommand(1);
   try {

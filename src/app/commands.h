@@ -36,6 +36,7 @@ void addRunCommand(CLI::App& app, Action& action);
 void addRenderCommand(CLI::App& app, Action& action);
 void addPlotCommand(CLI::App& app, Action& action);
 void addChartCommand(CLI::App& app, Action& action);
+void addDietCommand(CLI::App& app, Action& action);
 void addListCommand(CLI::App& app, Action& action);
 
 }  // namespace tyg

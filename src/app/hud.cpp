@@ -9,8 +9,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 
+#include "app/fonts.h"
 #include "tyg/methods.h"
 
 namespace tyg {
@@ -27,24 +27,6 @@ namespace {
 constexpr float kTextPixels = 18, kLargeRatio = 1.5F, kLineRatio = 1.35F;
 /// Of the window's width, for the keys on each side.
 constexpr float kKeysShare = 0.26F;
-/// ImGui's own font, used where DejaVu Sans is missing, is drawn for this size.
-constexpr float kBuiltinPixels = 13;
-constexpr std::array<const char*, 3> kFontFiles{"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
-                                                "/usr/share/fonts/TTF/DejaVuSans.ttf",
-                                                "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf"};
-
-ImFont* loadFont(float pixels) {
-  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-  std::error_code ignored;
-  for (const char* file : kFontFiles) {
-    if (!std::filesystem::exists(file, ignored)) continue;
-    if (ImFont* font = atlas.AddFontFromFileTTF(file, std::round(pixels))) return font;
-  }
-  ImFontConfig config;
-  config.SizePixels = std::max(kBuiltinPixels, std::round(pixels / kBuiltinPixels) * kBuiltinPixels);
-  return atlas.AddFontDefault(&config);
-}
-
 ImVec2 extentOf(ImFont* font, float size, std::string_view text, float wrap = 0) {
   return font->CalcTextSizeA(size, 1e6F, wrap, text.data(), text.data() + text.size());
 }
@@ -88,8 +70,8 @@ Hud::Hud(Window& window, double uiScale)
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
   io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
-  font_ = loadFont(size_);
-  large_ = loadFont(size_ * kLargeRatio);
+  font_ = addFont(*io.Fonts, size_);
+  large_ = addFont(*io.Fonts, size_ * kLargeRatio);
   io.Fonts->Build();  // margin() measures texts before the first frame
   window_.attachOverlay();
   ImGui_ImplOpenGL3_Init("#version 330 core");

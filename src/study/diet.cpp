@@ -128,8 +128,11 @@ DietRow dietRow(const Changed& changed, const Reference& reference, double judge
                                                      : RowStatus::NotFinite;
     return row;
   }
-  row.lost = motionError(upTo(judgedUpTo, resampled(motion, changed.scene, reference.scene)),
-                         upTo(judgedUpTo, reference.motion));
+  const SampledMotion here = upTo(judgedUpTo, resampled(motion, changed.scene, reference.scene));
+  row.lost = motionError(here, upTo(judgedUpTo, reference.motion));
+  for (std::size_t k = 0; k < judged; ++k) {
+    if (distanceBetween(here.positions[k], reference.motion.positions[k]).rms == row.lost.rms) row.worstAt = times[k];
+  }
   row.horizon = reference.horizonOf(row.lost.rms, changed.scene.precision);
   row.within = judged > 0 && row.lost.rms <= plan.within;
   row.maxStretch = motion.ledger.maxStretch;

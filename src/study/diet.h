@@ -22,6 +22,7 @@ struct DietRow {
   Scene scene;
   RowStatus status = RowStatus::Ok;
   Distance lost{kNone, kNone};  ///< from the full model's reference up to Diet::judgedUpTo, m; `rms` is E
+  double worstAt = 0;           ///< s: when it is that far away
   double floor = kNone;         ///< least E that means something there in this precision, m
   double horizon = kNone;       ///< last time at which this E means something, s
   double maxStretch = kNone;    ///< fraction of the rest length
@@ -31,6 +32,9 @@ struct DietRow {
   double seconds = kNone;       ///< work times its calibrated cost
   double saved = 0;             ///< fraction of the seconds of the scene as written
   bool within = false;          ///< is E within the tolerance?
+
+  /// Is E more than what rounding alone may make of it?
+  [[nodiscard]] bool meant(double judgedUpTo) const { return horizon >= judgedUpTo; }
 };
 
 struct Diet {

@@ -31,13 +31,13 @@ std::vector<Changed> withoutFamily(Scene scene, SpringFamily Scene::*family, con
 std::vector<Changed> withoutSpringDamping(Scene scene) {
   if (scene.structural.kd == 0 && scene.shear.kd == 0 && scene.bend.kd == 0) return {};
   scene.structural.kd = scene.shear.kd = scene.bend.kd = 0;
-  return {{"without spring damping", std::move(scene)}};
+  return {{"no spring damping", std::move(scene)}};
 }
 
 std::vector<Changed> withoutDrag(Scene scene) {
   if (scene.drag == 0) return {};
   scene.drag = 0;
-  return {{"without drag", std::move(scene)}};
+  return {{"no drag", std::move(scene)}};
 }
 
 std::vector<Changed> onHalfTheSheet(const Scene& scene) {
@@ -59,6 +59,7 @@ std::vector<Changed> withLongerSteps(Scene scene) {
   if (method.adaptive) {
     scene.tolerance *= 10;
     std::ostringstream words;
+    words.precision(2);
     words << "tolerance " << scene.tolerance << " m";
     return {{words.str(), std::move(scene)}};
   }
@@ -80,7 +81,7 @@ std::vector<Changed> withLongerSteps(Scene scene) {
 std::vector<Changed> byOtherMethods(const Scene& scene) {
   std::vector<Changed> changes;
   for (const Method& method : methods()) {
-    if (method.name == scene.integrator || method.adaptive || !takes(method, scene)) continue;
+    if (method.name == scene.integrator || method.adaptive || !advisable(method) || !takes(method, scene)) continue;
     const double limit = restLatticeLimit(scene, method);
     if (limit == 0) continue;
     Changed& change = changes.emplace_back(Changed{std::string(method.name), scene});
@@ -94,10 +95,12 @@ std::vector<Changed> byOtherMethods(const Scene& scene) {
 
 std::vector<Changed> changesOf(const Scene& scene, Change change) {
   switch (change) {
+    case Change::Structural:
+      return withoutFamily(scene, &Scene::structural, "no structural");
     case Change::Bend:
-      return withoutFamily(scene, &Scene::bend, "without bend");
+      return withoutFamily(scene, &Scene::bend, "no bend");
     case Change::Shear:
-      return withoutFamily(scene, &Scene::shear, "without shear");
+      return withoutFamily(scene, &Scene::shear, "no shear");
     case Change::SpringDamping:
       return withoutSpringDamping(scene);
     case Change::Drag:
@@ -117,6 +120,8 @@ std::vector<Changed> changesOf(const Scene& scene, Change change) {
 bool repeats(Change change) {
   return change == Change::HalfSheet || change == Change::Step || change == Change::Method;
 }
+
+bool advisable(const Method& method) { return method.name != "report-rk4"; }
 
 bool takes(const Method& method, const Scene& scene) {
   try {

@@ -11,11 +11,12 @@
 
 namespace tyg {
 
-enum class Change { Bend, Shear, SpringDamping, Drag, HalfSheet, Float, Step, Method };
-inline constexpr std::array kChanges{Change::Bend,      Change::Shear, Change::SpringDamping, Change::Drag,
-                                     Change::HalfSheet, Change::Float, Change::Step,          Change::Method};
+enum class Change { Structural, Shear, Bend, SpringDamping, Drag, HalfSheet, Float, Step, Method };
+inline constexpr std::array kChanges{Change::Structural,    Change::Shear, Change::Bend,
+                                     Change::SpringDamping, Change::Drag,  Change::HalfSheet,
+                                     Change::Float,         Change::Step,  Change::Method};
 
-/// A scene with one change made, and the change in words, such as `without bend` or `sheet 10x10`.
+/// A scene with one change made, and the change in words, such as `no bend` or `sheet 10x10`.
 struct Changed {
   std::string words;
   Scene scene;
@@ -32,6 +33,9 @@ bool repeats(Change change);
 
 /// How much of its limit at rest a method may use where a study chooses the step.
 inline constexpr double kShareOfLimit = 0.95;
+
+/// May a study recommend a method? Not the one that is kept to show a mistake: its results depend on the unit of time.
+bool advisable(const Method& method);
 
 /// Does a method take a scene? imex, for one, refuses axial damping.
 bool takes(const Method& method, const Scene& scene);

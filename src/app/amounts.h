@@ -1,0 +1,19 @@
+// Amounts with units as people type them: 5mm, 1%, 4ms.
+// Must not know: what they are for.
+#pragma once
+
+#include <string>
+
+namespace tyg {
+
+/// A length in m: a number and um, mm, cm or m, or % of `size` (m). Throws InputError that names the `option`.
+double parseLength(const std::string& option, const std::string& text, double size);
+/// A time in s: a number and us, ms or s. Throws InputError.
+double parseTime(const std::string& option, const std::string& text);
+
+/// A length for people, three significant digits: `0.0345 mm`, `28 mm`, `1.2 m`; `unknown` where it is not finite.
+std::string lengthText(double metres);
+/// A time for people: `12.3 us`, `4 ms`, `1.5 s`.
+std::string timeText(double seconds);
+
+}  // namespace tyg

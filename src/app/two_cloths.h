@@ -1,0 +1,25 @@
+// Two motions of one cloth in one picture, at one moment.
+// Must not know: why they are compared, options of the command line.
+#pragma once
+
+#include <string>
+
+#include <glm/glm.hpp>
+
+#include "gfx/picture.h"
+#include "tyg/scene.h"
+
+namespace tyg {
+
+/// A scene and what the legend says of it.
+struct Overlaid {
+  const Scene& scene;
+  std::string words;
+};
+
+/// Simulates both to `time` (s) and draws the first in wide blue lines, the second in narrow orange ones over it, on a
+/// light ground, with a legend and `title` above it. Throws InputError where nothing can draw, and where a run fails.
+Picture overlaid(const Overlaid& first, const Overlaid& second, double time, const std::string& title,
+                 glm::ivec2 size = {1280, 720});
+
+}  // namespace tyg
