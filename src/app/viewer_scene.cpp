@@ -1,4 +1,5 @@
-// What the viewer does when a person changes the scene itself.
+// What the viewer does when the scene itself is changed: on with it at once, or from the start.
+// Must not know: who changes it.
 #include <utility>
 
 #include "app/room.h"

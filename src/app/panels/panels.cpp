@@ -68,7 +68,7 @@ void Panels::follow(Viewer& viewer) {
 }
 
 float Panels::widthOf(const PanelKind& kind) const {
-  return std::min(kind.width * size_, kWidestShare * ImGui::GetIO().DisplaySize.x);
+  return std::round(std::min(kind.width * size_, kWidestShare * ImGui::GetIO().DisplaySize.x));
 }
 
 float Panels::width(Edge edge) const {

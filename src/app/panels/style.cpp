@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <cmath>
 
 namespace tyg {
 namespace {
@@ -71,13 +72,15 @@ void applyStyle(Background background, float size) {
   set(ImGuiCol_SliderGrab, colours.accent), set(ImGuiCol_SliderGrabActive, colours.accent);
   set(ImGuiCol_CheckMark, colours.accent), set(ImGuiCol_TextSelectedBg, colours.accent, 0.35F);
   set(ImGuiCol_ScrollbarBg, colours.panel, 0), set(ImGuiCol_ScrollbarGrab, colours.dim, 0.5F);
-  style.WindowRounding = style.FrameRounding = style.PopupRounding = style.GrabRounding = 0.3F * size;
-  style.WindowPadding = {0.7F * size, 0.6F * size};
-  style.FramePadding = {0.45F * size, 0.25F * size};
-  style.ItemSpacing = {0.5F * size, 0.4F * size};
-  style.ItemInnerSpacing = {0.4F * size, 0.3F * size};
-  style.ScrollbarSize = 0.8F * size;
-  style.GrabMinSize = 0.7F * size;
+  // Whole pixels: ImGui gives a window that fits its contents a scroll bar for a fraction of one.
+  const auto sizes = [size](float times) { return std::round(times * size); };
+  style.WindowRounding = style.FrameRounding = style.PopupRounding = style.GrabRounding = sizes(0.3F);
+  style.WindowPadding = {sizes(0.7F), sizes(0.6F)};
+  style.FramePadding = {sizes(0.45F), sizes(0.25F)};
+  style.ItemSpacing = {sizes(0.5F), sizes(0.4F)};
+  style.ItemInnerSpacing = {sizes(0.4F), sizes(0.3F)};
+  style.ScrollbarSize = sizes(0.8F);
+  style.GrabMinSize = sizes(0.7F);
   style.WindowBorderSize = 1;
   style.WindowTitleAlign = {0, 0.5F};
   style.WindowMenuButtonPosition = ImGuiDir_None;

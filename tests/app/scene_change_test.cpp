@@ -1,0 +1,71 @@
+// What a change of the scene takes, and that the viewer does it.
+#include "app/scene_change.h"
+
+#include <gtest/gtest.h>
+
+#include "app/viewer.h"
+#include "tyg/methods.h"
+
+namespace tyg {
+namespace {
+
+Scene curtain() { return loadScene("curtain", methodNames()); }
+
+TEST(SceneChange, MethodAndStepAreTakenLive) {
+  Scene other = curtain();
+  EXPECT_EQ(changeBetween(curtain(), other), SceneChange::None);
+  other.integrator = "leapfrog";
+  other.dt *= 0.5;
+  EXPECT_EQ(changeBetween(curtain(), other), SceneChange::Live);
+}
+
+TEST(SceneChange, PrecisionRestartsAndAnotherGridIsANewSheet) {
+  Scene other = curtain();
+  other.precision = Precision::Float;
+  EXPECT_EQ(changeBetween(curtain(), other), SceneChange::Restart);
+  EXPECT_EQ(changeBetween(curtain(), withSheet(curtain(), 10, 12)), SceneChange::NewSheet);
+}
+
+class SceneUse : public testing::Test {
+ protected:
+  void run(int frames) {
+    for (int k = 0; k < frames; ++k) now_ += 1.0 / 60, viewer_.frame();
+  }
+  double now_ = 1;
+  Viewer viewer_{curtain(), Settings{.threads = 1}, [this] { return now_; }};
+};
+
+TEST_F(SceneUse, AStepGoesOnWhereTheClothIs) {
+  viewer_.perform(InputAction::StartOrPause);
+  run(10);
+  const double time = viewer_.time();
+  Scene half = viewer_.scene();
+  half.dt *= 0.5;
+  EXPECT_EQ(viewer_.use(half), SceneChange::Live);
+  EXPECT_EQ(viewer_.simulation().dt(), half.dt);
+  EXPECT_EQ(viewer_.time(), time);
+  EXPECT_EQ(viewer_.use(half), SceneChange::None);
+}
+
+TEST_F(SceneUse, AnotherSceneRunsOnFromItsStart) {
+  viewer_.perform(InputAction::StartOrPause);
+  run(10);
+  EXPECT_EQ(viewer_.use(loadScene("flag", methodNames())), SceneChange::NewSheet);
+  EXPECT_EQ(viewer_.time(), 0);
+  EXPECT_EQ(viewer_.state(), RunState::Running);
+  EXPECT_EQ(viewer_.sheetsSoFar(), 2);
+  EXPECT_EQ(viewer_.positions().size(), std::size_t(3 * viewer_.simulation().sheet().count()));
+  run(10);
+  EXPECT_GT(viewer_.time(), 0);
+}
+
+TEST_F(SceneUse, ASceneThatDoesNotFitTogetherChangesNothing) {
+  Scene broken = viewer_.scene();
+  broken.pins = {Place{.name = "", .column = 99, .row = 0}};
+  EXPECT_EQ(viewer_.use(broken), SceneChange::None);
+  EXPECT_EQ(viewer_.scene(), curtain());
+  EXPECT_FALSE(viewer_.note().empty());
+}
+
+}  // namespace
+}  // namespace tyg
