@@ -1,0 +1,107 @@
+// What each term of the model, and what is followed beside it, adds to a step: leapfrog on 256x256 particles.
+#include <cstdio>
+#include <memory>
+#include <sstream>
+
+#include "core/whole_file.h"
+#include "scaling.h"
+#include "tyg/methods.h"
+#include "tyg/workers.h"
+
+namespace tyg::scaling {
+namespace {
+
+constexpr double kStep = 1e-4;
+constexpr int kSteps = 64, kCount = 256;
+
+Scene curtain() {
+  Scene scene = loadScene("curtain");
+  scene.columns = scene.rows = kCount;
+  scene.integrator = "leapfrog";
+  scene.dt = kStep;
+  return scene;
+}
+
+void withoutDamping(Scene& scene) { scene.structural.kd = scene.shear.kd = scene.bend.kd = 0; }
+
+/// A change of the curtain, and what is followed beside its motion.
+struct Variant {
+  const char* name;
+  void (*change)(Scene& scene) = [](Scene&) {};
+  bool ledger = false;
+  bool alarm = true;
+};
+
+constexpr Variant kVariants[] = {
+    {"all families, relative damping, alarm"},
+    {"without the alarm", [](Scene&) {}, false, false},
+    {"without bend springs", [](Scene& s) { s.bend = {}; }},
+    {"structural springs alone", [](Scene& s) { s.bend = s.shear = {}; }},
+    {"structural springs alone, no damping", [](Scene& s) { s.bend = s.shear = {}, s.structural.kd = 0; }},
+    {"no damping", withoutDamping},
+    {"axial damping", [](Scene& s) { s.damping = Damping::Axial; }},
+    {"drag", [](Scene& s) { s.drag = 1e-4; }},
+    {"a push acting",
+     [](Scene& s) {
+       s.pushes = {{{"middle"}, {0, 0, 1e-3}, 0, 1e6}};
+     }},
+    {"ledger", [](Scene&) {}, true},
+};
+
+/// The method without a simulation around it: forces and steps, and no look at the energies.
+template <class T>
+struct Bare {
+  explicit Bare(const Scene& scene)
+      : sheet(makeSheet(scene)),
+        forces(scene, sheet, workers),
+        state(startState<T>(sheet)),
+        method(findMethod(scene.integrator).make<T>(scene, sheet)) {}
+  Workers workers{1};
+  Sheet sheet;
+  Forces<T> forces;
+  State<T> state;
+  std::unique_ptr<Integrator<T>> method;
+};
+
+template <class T>
+std::function<void()> bareSteps(const Scene& scene) {
+  return [bare = std::make_shared<Bare<T>>(scene)] { bare->method->steps(bare->forces, bare->state, kStep, kSteps); };
+}
+
+std::function<void()> stepsOf(const Variant& variant, Precision precision) {
+  Scene scene = curtain();
+  scene.precision = precision;
+  variant.change(scene);
+  if (!variant.alarm) return precision == Precision::Float ? bareSteps<float>(scene) : bareSteps<double>(scene);
+  auto simulation = std::make_shared<Simulation>(scene, findMethod(scene.integrator),
+                                                 Settings{.threads = 1, .ledger = variant.ledger});
+  return [simulation] { simulation->tick(kSteps); };
+}
+
+}  // namespace
+
+void measureTerms(const Options& options) {
+  say("terms ...");
+  std::vector<Contestant> contestants;
+  for (const Variant& variant : kVariants) {
+    for (const Precision precision : {Precision::Float, Precision::Double}) {
+      contestants.push_back({stepsOf(variant, precision)});
+    }
+  }
+  takeTurns(contestants, options.quick ? 3 : 25);
+  std::ostringstream csv;
+  csv << "variant,float_ns,double_ns\n";
+  std::printf(
+      "\nleapfrog on %dx%d, one thread: ns per particle and step, and against the first line\n%-40s %16s %16s\n",
+      kCount, kCount, "", "float", "double");
+  const auto ns = [&](std::size_t k) { return 1e9 * contestants[k].least / (double(kSteps) * kCount * kCount); };
+  for (std::size_t k = 0; k < std::size(kVariants); ++k) {
+    const double single = ns(2 * k), wide = ns(2 * k + 1);
+    std::printf("%-40s %7.2f (%+4.0f %%) %7.2f (%+4.0f %%)\n", kVariants[k].name, single, 100 * (single / ns(0) - 1),
+                wide, 100 * (wide / ns(1) - 1));
+    csv << '"' << kVariants[k].name << "\"," << single << "," << wide << "\n";
+  }
+  writeWholeFile(options.out / "terms.csv", csv.str());
+}
+
+}  // namespace tyg::scaling
