@@ -3,32 +3,82 @@
 // alarm. Included by row_kernel_level.cpp alone; everything here is private to one vector level.
 #pragma once
 
-#include "core/row_kernel.h"
+#include "core/row_forces.h"
 
 namespace tyg {
 namespace {
 
 constexpr int kSums = 8;
+constexpr int kOfPart = int(kLanes<double>), kParts = kSums / kOfPart;
 
-inline double addPairwise(const double (&s)[kSums]) {
+/// Eight numbers in as many registers as they need.
+struct Eight {
+  Lanes<double> part[kParts] = {};
+
+  TYG_INLINE double operator[](int k) const { return part[k / kOfPart][k % kOfPart]; }
+  /// 0 for all but the first `count`, of which there are 0 to 8.
+  TYG_INLINE void keepFirst(int count) {
+    for (int k = count; k < kSums; ++k) part[k / kOfPart][k % kOfPart] = 0;
+  }
+};
+template <class Operation>
+TYG_INLINE Eight partByPart(const Operation& operation) {
+  Eight result;
+  for (int k = 0; k < kParts; ++k) result.part[k] = operation(k);
+  return result;
+}
+TYG_INLINE Eight operator+(const Eight& a, const Eight& b) {
+  return partByPart([&](int k) { return a.part[k] + b.part[k]; });
+}
+TYG_INLINE Eight operator-(const Eight& a, const Eight& b) {
+  return partByPart([&](int k) { return a.part[k] - b.part[k]; });
+}
+TYG_INLINE Eight operator*(const Eight& a, const Eight& b) {
+  return partByPart([&](int k) { return a.part[k] * b.part[k]; });
+}
+TYG_INLINE Eight operator/(const Eight& a, const Eight& b) {
+  return partByPart([&](int k) { return a.part[k] / b.part[k]; });
+}
+TYG_INLINE Eight operator*(double a, const Eight& b) {
+  return partByPart([&](int k) { return a * b.part[k]; });
+}
+TYG_INLINE Eight larger(const Eight& a, const Eight& b) {
+  return partByPart([&](int k) { return a.part[k] > b.part[k] ? a.part[k] : b.part[k]; });
+}
+TYG_INLINE Eight squareRoots(const Eight& a) {
+  return partByPart([&](int k) { return squareRoots<double>(a.part[k]); });
+}
+TYG_INLINE double addPairwise(const Eight& s) {
   return ((s[0] + s[1]) + (s[2] + s[3])) + ((s[4] + s[5]) + (s[6] + s[7]));
 }
-inline double larger(double a, double b) { return a > b ? a : b; }
+template <class T>
+TYG_INLINE Eight eightOf(const T* from) {
+  using Numbers [[gnu::vector_size(kOfPart * sizeof(T))]] = T;
+  return partByPart([&](int k) {
+    Numbers numbers;
+    std::memcpy(&numbers, from + k * kOfPart, sizeof numbers);
+    return __builtin_convertvector(numbers, Lanes<double>);
+  });
+}
 
-struct Difference {
-  double x, y, z;
+/// Three components of eight particles, or of eight springs.
+struct EightVectors {
+  Eight x, y, z;
 };
 template <class T>
-[[gnu::always_inline]] inline Difference difference(const T* planes, std::ptrdiff_t plane, std::ptrdiff_t a,
-                                                    std::ptrdiff_t b) {
-  return {double(planes[b]) - double(planes[a]), double(planes[plane + b]) - double(planes[plane + a]),
-          double(planes[2 * plane + b]) - double(planes[2 * plane + a])};
+TYG_INLINE EightVectors eightVectors(const T* planes, std::ptrdiff_t plane) {
+  return {eightOf(planes), eightOf(planes + plane), eightOf(planes + 2 * plane)};
 }
-[[gnu::always_inline]] inline double squared(const Difference& d) { return (d.x * d.x + d.y * d.y) + d.z * d.z; }
+template <class T>
+TYG_INLINE EightVectors differences(const T* planes, std::ptrdiff_t plane, std::ptrdiff_t a, std::ptrdiff_t b) {
+  const EightVectors to = eightVectors(planes + b, plane), from = eightVectors(planes + a, plane);
+  return {to.x - from.x, to.y - from.y, to.z - from.z};
+}
+TYG_INLINE Eight dotOf(const EightVectors& a, const EightVectors& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
 
-/// Calls `spring(family, a, b, n, step)` for the runs of springs that start in this row: n springs from a+k to b+k.
+/// Calls `visit(family, a, b, n)` for the runs of springs that start in this row: n springs from a+k to b+k.
 template <class T, class Visit>
-[[gnu::always_inline]] inline void forSpringRuns(const EnergyRow<T>& in, const Visit& visit) {
+TYG_INLINE void forSpringRuns(const EnergyRow<T>& in, const Visit& visit) {
   const std::ptrdiff_t s = in.stride, a = in.row * s;
   const int n = in.columns;
   const bool down = in.row + 1 < in.rows, down2 = in.row + 2 < in.rows;
@@ -40,15 +90,18 @@ template <class T, class Visit>
   if (down2) visit(in.families[2], a, a + 2 * s, n);
 }
 
-/// Sums term(k) over k < n in the fixed order.
+/// Sums over k < n in the fixed order; `term(k)` gives the terms of k to k + 7. Those past n are not counted: they come
+/// from ghosts, of which every row has more than eight.
 template <class Term>
-[[gnu::always_inline]] inline double sumOf(int n, const Term& term) {
-  double sums[kSums] = {};
+TYG_INLINE double sumOf(int n, const Term& term) {
+  Eight sums;
   int k = 0;
-  for (; k + kSums <= n; k += kSums) {
-    for (int lane = 0; lane < kSums; ++lane) sums[lane] += term(k + lane);
+  for (; k + kSums <= n; k += kSums) sums = sums + term(k);
+  if (k < n) {
+    Eight last = term(k);
+    last.keepFirst(n - k);
+    sums = sums + last;
   }
-  for (int lane = 0; k < n; ++k, ++lane) sums[lane] += term(k);
   return addPairwise(sums);
 }
 
@@ -56,14 +109,27 @@ template <class Term>
 template <class T>
 double elasticOfRun(const EnergyRow<T>& in, const typename EnergyRow<T>::Family& family, std::ptrdiff_t a,
                     std::ptrdiff_t b, int n, double& maxStretch) {
-  double stretch[kSums] = {};
+  const Eight rest = partByPart([&](int) { return Lanes<double>{} + family.rest; });
+  Eight longest;
   const double energy = sumOf(n, [&](int k) {
-    const double elongation = __builtin_sqrt(squared(difference(in.position, in.plane, a + k, b + k))) - family.rest;
-    stretch[k % kSums] = larger(elongation, stretch[k % kSums]);
+    const EightVectors d = differences(in.position, in.plane, a + k, b + k);
+    Eight elongation = squareRoots(dotOf(d, d)) - rest;
+    if (k + kSums > n) elongation.keepFirst(n - k);
+    longest = larger(elongation, longest);
     return 0.5 * family.ks * elongation * elongation;
   });
-  for (const double elongation : stretch) maxStretch = larger(elongation / family.rest, maxStretch);
+  for (int k = 0; k < kSums; ++k) {
+    if (longest[k] / family.rest > maxStretch) maxStretch = longest[k] / family.rest;
+  }
   return energy;
+}
+
+template <class T>
+TYG_INLINE double halfSquares(const T* v, std::ptrdiff_t plane, int n) {
+  return 0.5 * sumOf(n, [=](int k) {
+           const EightVectors u = eightVectors(v + k, plane);
+           return dotOf(u, u);
+         });
 }
 
 template <class T>
@@ -71,13 +137,11 @@ RowEnergy energyOfRow(const EnergyRow<T>& given) {
   const EnergyRow<T> in = given;
   RowEnergy sum;
   const std::ptrdiff_t start = in.row * in.stride, plane = in.plane;
-  const T *x = in.position + start, *v = in.velocity + start;
-  sum.kinetic = 0.5 * sumOf(in.columns, [=](int k) {
-                  return squared({double(v[k]), double(v[plane + k]), double(v[2 * plane + k])});
-                });
+  const T* x = in.position + start;
+  sum.kinetic = halfSquares(in.velocity + start, plane, in.columns);
   sum.fallen = sumOf(in.columns, [&](int k) {
-    return (in.weight[0] * double(x[k]) + in.weight[1] * double(x[plane + k])) +
-           in.weight[2] * double(x[2 * plane + k]);
+    const EightVectors at = eightVectors(x + k, plane);
+    return (in.weight[0] * at.x + in.weight[1] * at.y) + in.weight[2] * at.z;
   });
   forSpringRuns(in, [&](const typename EnergyRow<T>::Family& family, std::ptrdiff_t a, std::ptrdiff_t b, int n) {
     if (family.ks > 0 || family.kd > 0) sum.elastic += elasticOfRun(in, family, a, b, n, sum.maxStretch);
@@ -91,20 +155,16 @@ RowEnergy powerOfRow(const EnergyRow<T>& given) {
   const EnergyRow<T> in = given;
   RowEnergy sum;
   const std::ptrdiff_t start = in.row * in.stride, plane = in.plane;
-  const T* v = in.velocity + start;
-  if (in.drag > 0) {
-    sum.power = in.drag * sumOf(in.columns, [=](int k) {
-                  return squared({double(v[k]), double(v[plane + k]), double(v[2 * plane + k])});
-                });
-  }
+  if (in.drag > 0) sum.power = 2 * in.drag * halfSquares(in.velocity + start, plane, in.columns);
+  const Eight tiny = partByPart([](int) { return Lanes<double>{} + 1e-300; });
   forSpringRuns(in, [&](const typename EnergyRow<T>::Family& family, std::ptrdiff_t a, std::ptrdiff_t b, int n) {
     if (family.kd <= 0) return;
     sum.power += family.kd * sumOf(n, [&](int k) {
-                   const Difference dv = difference(in.velocity, plane, a + k, b + k);
-                   if (!in.axial) return squared(dv);
-                   const Difference d = difference(in.position, plane, a + k, b + k);
-                   const double along = (dv.x * d.x + dv.y * d.y) + dv.z * d.z;
-                   return along * along / (squared(d) + 1e-300);
+                   const EightVectors dv = differences(in.velocity, plane, a + k, b + k);
+                   if (!in.axial) return dotOf(dv, dv);
+                   const EightVectors d = differences(in.position, plane, a + k, b + k);
+                   const Eight along = dotOf(dv, d);
+                   return along * along / (dotOf(d, d) + tiny);
                  });
   });
   return sum;
