@@ -28,6 +28,8 @@ constexpr int kMostPixels = 16384;
 constexpr double kIdleSeconds = 0.08;
 /// Frames shown after an event: panels find their size and place over a few of them.
 constexpr int kFramesToSettle = 4;
+/// And this often without a log, to notice an interrupt.
+constexpr double kAsleepSeconds = 0.25;
 /// Frames come no faster than this where the screen sets no rhythm.
 constexpr double kShortestFrame = 1.0 / 250;
 
@@ -76,7 +78,8 @@ class View {
  private:
   void takeEvents() {
     const bool hidden = shown_ == Extent{};
-    const double patience = viewer_.idle() || hidden ? kIdleSeconds : spare_;
+    const double rest = log_ ? kIdleSeconds : kAsleepSeconds;
+    const double patience = viewer_.idle() || hidden ? rest : spare_;
     for (const WindowEvent& event : window_->events(stale_ > 0 || panels_.busy() ? spare_ : patience)) {
       if (!hud_.takes(event) && !hud_.handle(event, viewer_) && !panels_.handle(event)) viewer_.handle(event);
       stale_ = kFramesToSettle;

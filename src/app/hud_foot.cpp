@@ -127,6 +127,8 @@ void Hud::drawPrompt(const Viewer& viewer, float bottom) const {
     say("%.2f s back  \u00b7  space goes on from here", time.newest - time.shown);
   } else if (viewer.state() == RunState::Paused) {
     say("%s", "paused  \u00b7  space goes on");
+  } else if (viewer.asleep()) {
+    say("%s", "asleep: nothing moves  \u00b7  a push wakes it");
   } else if (viewer.breaking()) {
     say("%s", "past its alarm: V takes a safe step, M a method that holds, R restarts");
   } else {

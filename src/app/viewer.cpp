@@ -258,8 +258,8 @@ void Viewer::frameCloth() {
 
 bool Viewer::idle() const {
   const Motion keys = motion();
-  return state_ != RunState::Running && !seeking_ && !repeated_ && !held(Look) && keys.right == 0 && keys.up == 0 &&
-         keys.forward == 0;
+  return (state_ != RunState::Running || asleep()) && !seeking_ && !repeated_ && !held(Look) && keys.right == 0 &&
+         keys.up == 0 && keys.forward == 0;
 }
 
 void Viewer::frame() {
@@ -293,7 +293,6 @@ std::optional<ShownPush> Viewer::shownPush() const {
 }
 
 ViewLogLine Viewer::logLine() {
-  if (state_ != RunState::Frozen) kinetic_ = simulation_.ledger().kinetic;
   const glm::vec3 eye = camera_.eye();
   return {.time = time_,
           .state = nameOf(state_),

@@ -49,7 +49,8 @@ void describeStep(const Simulation& simulation, StepText& text);
 
 class Viewer {
  public:
-  using Clock = std::function<double()>;  ///< s, from any start
+  using Clock = std::function<double()>;                          ///< s, from any start
+  static constexpr double kStillSpeed = 1e-3, kStillSeconds = 1;  ///< m/s and simulated s: see asleep()
 
   /// Sets the scene up, waiting. Throws InputError where the scene does not fit together.
   Viewer(const Scene& scene, const Settings& settings, Clock clock);
@@ -95,6 +96,9 @@ class Viewer {
   [[nodiscard]] const Margin& margin() const { return stepMargin_.margin(); }
   /// The moments that can be gone back to.
   [[nodiscard]] Timeline timeline() const;
+  /// It runs, and stays as it is until something is done to it: no particle has moved faster than a millimetre a second
+  /// for a second, and no push acts or is to come. No ticks pass meanwhile.
+  [[nodiscard]] bool asleep() const { return stillSince_ && time_ - *stillSince_ >= kStillSeconds; }
   [[nodiscard]] double speed() const { return frameClock_.speed(); }  ///< simulated seconds wanted per second
   [[nodiscard]] bool breaking() const { return breaking_; }           ///< runs on past its alarm
   /// x, y, z of the last good state, m, its time in s, and the box around it.
@@ -143,6 +147,8 @@ class Viewer {
   int run(std::int64_t ticks, double seconds);
   [[nodiscard]] std::int64_t together(std::int64_t most, double seconds) const;
   void showState();
+  void watchForSleep();
+  [[nodiscard]] bool still() const;
   void freezeOnAlarm();
   void measure(double frameSeconds, double simulatingSeconds);
   [[nodiscard]] bool held(InputAction action) const { return held_.at(static_cast<std::size_t>(action)); }
@@ -173,6 +179,7 @@ class Viewer {
   std::vector<float> positions_;
   double time_ = 0, kinetic_ = 0;
   std::int64_t shownTick_ = 0;
+  std::optional<double> stillSince_;         ///< simulated s; nothing while it moves
   std::optional<History::Moment> lastGood_;  ///< shown last before the alarm that stopped the run
   Box box_;
   Pace pace_;

@@ -53,6 +53,7 @@ void Viewer::step() {
 /// A person's deed at a past moment: from here on everything is new.
 void Viewer::beforeDeed() {
   endReplay();
+  stillSince_.reset();
   seeking_ = false;
   arrived_ = {};
   if (history_.past()) history_.cut(simulation_);
@@ -62,6 +63,7 @@ void Viewer::beforeDeed() {
 void Viewer::turnTo(std::int64_t tick, std::function<void()> then) {
   if (state_ == RunState::Waiting) return;
   endReplay();
+  stillSince_.reset();
   if (lastGood_ && !breaking_) tick = std::min(tick, lastGood_->ticks);
   state_ = RunState::Paused;
   message_.clear();
@@ -173,6 +175,7 @@ void Viewer::startOver(Simulation fresh) {
     trouble = error.what();
   }
   endReplay();
+  stillSince_.reset();
   seeking_ = breaking_ = false;
   arrived_ = {};
   cure_.reset();
@@ -193,7 +196,7 @@ void Viewer::startOver(Simulation fresh) {
 
 void Viewer::moveCloth(double frameSeconds) {
   if (seeking_) return seek();
-  if (state_ != RunState::Running) return;
+  if (state_ != RunState::Running || asleep()) return;
   const double others = frameSeconds_ - simulatingSeconds_;
   frameClock_.ran(run(frameClock_.due(frameSeconds), std::max(kSimulatingSeconds, others)));
   if (replaying_) followSimulation();
@@ -237,13 +240,35 @@ int Viewer::run(std::int64_t ticks, double seconds) {
 
 /// Takes the simulation's state over for drawing, unless the alarm says that it is not worth showing.
 void Viewer::showState() {
-  const Status status = simulation_.check();
+  const double kinetic = simulation_.ledger().kinetic;
+  const Status status = simulation_.status();
   if (status == Status::NotFinite || (status != Status::Ok && !breaking_)) return freezeOnAlarm();
   simulation_.copyPositions(positions_);
+  kinetic_ = kinetic;
   time_ = simulation_.time();
   shownTick_ = simulation_.ticks();
   if (status == Status::Ok && lastGood_ && !history_.past() && shownTick_ > lastGood_->ticks) lastGood_.reset();
   box_ = boxAround(positions_);
+  watchForSleep();
+}
+
+void Viewer::watchForSleep() {
+  if (state_ != RunState::Running || replaying_ || !still()) return stillSince_.reset();
+  if (!stillSince_ || *stillSince_ > time_) stillSince_ = time_;
+}
+
+bool Viewer::still() const {
+  const Sheet& sheet = simulation_.sheet();
+  const double slow = kStillSpeed * kStillSpeed;
+  // Of so much kinetic energy no look at single particles is needed: it would take all of them.
+  if (simulation_.ticks() < pushEnd_ || !(kinetic_ < sheet.count() * sheet.particleMass * slow / 2)) return false;
+  const auto toCome = [this](const Push& push) { return push.at + push.duration > time_; };
+  if (std::ranges::any_of(simulation_.scene().pushes, toCome)) return false;
+  for (int particle = 0; particle < sheet.count(); ++particle) {
+    const Vec3 v = simulation_.velocity(particle);
+    if (!(v.x * v.x + v.y * v.y + v.z * v.z < slow)) return false;
+  }
+  return true;
 }
 
 void Viewer::freezeOnAlarm() {

@@ -7,7 +7,9 @@
 #include <X11/Xlib.h>
 #include <backends/imgui_impl_glut.h>
 #include <imgui.h>
+#include <poll.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdarg>
@@ -26,7 +28,7 @@ namespace {
 
 constexpr int kSamples = 4;
 constexpr std::size_t kEventsToExpect = 256;
-/// Between looks at freeglut's queue while waiting: freeglut cannot wait for an event by itself.
+/// Between looks at the focus while a key is down.
 constexpr std::chrono::milliseconds kNap{5};
 
 /// Nothing may be thrown through freeglut's C frames, and it cannot go on: this is where it ends.
@@ -89,8 +91,9 @@ class GlutWindow final : public Window {
     for (;;) {
       glutMainLoopEvent();
       watchFocus();
-      if (closed_ || !events_.empty() || Clock::now() + kNap > deadline) return events_;
-      std::this_thread::sleep_for(kNap);
+      const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
+      if (closed_ || !events_.empty() || left.count() <= 0) return events_;
+      waitForServer(keysDown_ > 0 ? std::min(kNap, left) : left);
     }
   }
   void swap() override {
@@ -192,6 +195,17 @@ class GlutWindow final : public Window {
     if (keysDown_ <= 0) keysDown_ = 0;
     if (keysDown_ == 1 && kind == WindowEvent::Kind::Press) focus_ = focusNow();
     events_.push_back({.kind = kind, .key = code, .control = control, .shift = (modifiers & GLUT_ACTIVE_SHIFT) != 0});
+  }
+
+  /// freeglut cannot wait for an event by itself: its connection to the server is that of the current context.
+  static void waitForServer(std::chrono::milliseconds longest) {
+    using CurrentDisplay = ::Display* (*)();
+    static const auto currentDisplay = reinterpret_cast<CurrentDisplay>(glutGetProcAddress("glXGetCurrentDisplay"));
+    ::Display* display = currentDisplay != nullptr ? currentDisplay() : nullptr;
+    if (display == nullptr) return std::this_thread::sleep_for(std::min(kNap, longest));
+    if (XPending(display) > 0) return;
+    pollfd connection{.fd = ConnectionNumber(display), .events = POLLIN, .revents = 0};
+    poll(&connection, 1, static_cast<int>(longest.count()));
   }
 
   [[nodiscard]] ::Window focusNow() const {

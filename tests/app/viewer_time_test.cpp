@@ -1,6 +1,9 @@
 // The viewer's way through time, without a window: back and forth, into a failure and out of it, and nothing is lost.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <functional>
 #include <string>
 
 #include "app/viewer_fixture.h"
@@ -235,6 +238,87 @@ TEST_F(ViewerTest, ARestartSurvivesARecordThatCannotBeKept) {
   EXPECT_EQ(viewer_.state(), RunState::Waiting);
   EXPECT_EQ(viewer_.time(), 0);
   EXPECT_EQ(viewer_.note(), "the disk is full");
+}
+
+/// Starts nearly as it will hang, and loses all motion within seconds.
+class CalmViewerTest : public ViewerTest {
+ protected:
+  static Scene calm() {
+    Scene scene = curtain();
+    scene.columns = scene.rows = 6;
+    scene.pins = {{.name = "top"}};
+    scene.start = Start::Hanging;
+    scene.drag = 0.2;
+    return scene;
+  }
+  CalmViewerTest() : ViewerTest(calm()) {}
+  void runUntilAsleep() {
+    tap(' ');
+    for (int frame = 0; frame < 1800 && !viewer_.asleep(); ++frame) frames(1);
+  }
+};
+
+TEST_F(CalmViewerTest, FallsAsleepWhenNothingMovesAndThenNoTicksPass) {
+  runUntilAsleep();
+  ASSERT_TRUE(viewer_.asleep());
+  EXPECT_TRUE(viewer_.idle());
+  EXPECT_EQ(viewer_.state(), RunState::Running);
+  for (int particle = 0; particle < 36; ++particle) {
+    const Vec3 v = viewer_.simulation().velocity(particle);
+    EXPECT_LT(std::hypot(v.x, v.y, v.z), Viewer::kStillSpeed);
+  }
+  const std::int64_t then = ticks();
+  frames(100);
+  EXPECT_EQ(ticks(), then);
+}
+
+TEST_F(CalmViewerTest, WhateverChangesSomethingWakesItAtOnce) {
+  runUntilAsleep();
+  const std::array<std::function<void()>, 4> deeds{[this] { tap(kLeftButton); }, [this] { tap('4'); },
+                                                   [this] { tap(']'); }, [this] { tap(' '), tap(' '); }};
+  for (const auto& deed : deeds) {
+    ASSERT_TRUE(viewer_.asleep());
+    const double then = viewer_.time();
+    now_ += 1000;
+    deed();
+    EXPECT_FALSE(viewer_.asleep());
+    frames(1);
+    EXPECT_GT(viewer_.time(), then);
+    EXPECT_LT(viewer_.time(), then + 0.1);  // the sleep is not made up
+    for (int frame = 0; frame < 1800 && !viewer_.asleep(); ++frame) frames(1);
+  }
+}
+
+TEST_F(CalmViewerTest, ItsSleepIsNoPartOfTheRecord) {
+  runUntilAsleep();
+  frames(50);
+  tap(kLeftButton);
+  frames(50);
+  const PushLog log = viewer_.record();
+  Simulation again(calm(), findMethod(log.integrator), {.threads = 1});
+  again.replay(log, methods());
+  again.tick(log.ticks);
+  EXPECT_EQ(again.hash(), viewer_.simulation().hash());
+}
+
+class PushedLaterViewerTest : public ViewerTest {
+ protected:
+  static Scene pushedLater() {
+    Scene scene = curtain();
+    scene.gravity = {};
+    scene.pushes = {{.particle = {.name = "middle"}, .force = {0, 0, 5}, .at = 3, .duration = 0.1}};
+    return scene;
+  }
+  PushedLaterViewerTest() : ViewerTest(pushedLater()) {}
+};
+
+TEST_F(PushedLaterViewerTest, AClothWithAPushStillToComeStaysAwake) {
+  tap(' ');
+  for (int frame = 0; frame < 240; ++frame) {
+    frames(1);
+    ASSERT_FALSE(viewer_.asleep());
+  }
+  EXPECT_GT(viewer_.time(), 3.5);
 }
 
 }  // namespace
