@@ -1,7 +1,10 @@
 // `tyg view`: opens the window and runs its frame loop, or draws off-screen where there is no display.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -10,14 +13,17 @@
 
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/hints.h"
 #include "app/hud.h"
 #include "app/interrupt.h"
+#include "app/keeper.h"
 #include "app/option_checks.h"
 #include "app/render.h"
 #include "app/view_log.h"
 #include "app/viewer.h"
 #include "app/window.h"
 #include "core/whole_file.h"
+#include "gfx/offscreen.h"
 #include "gfx/sheet_renderer.h"
 
 namespace tyg {
@@ -57,6 +63,7 @@ class View {
         drawnSheet_(viewer.sheetsSoFar()),
         hud_(*window_, std::stod(options.uiScale)),
         panels_(hud_.textSize()),
+        hints_(options.log ? std::nullopt : hintsFile()),
         opened_(now()) {
     if (options.log) log_ = std::make_unique<ViewLog>(*options.log);
   }
@@ -73,6 +80,7 @@ class View {
       writeLog();
       spare_ = std::max(0.0, kShortestFrame - (now() - began));
     }
+    if (const std::string end = keeper_.endMovie(); !end.empty()) std::cerr << "tyg view: " << end << std::endl;
   }
 
  private:
@@ -81,10 +89,64 @@ class View {
     const double rest = log_ ? kIdleSeconds : kAsleepSeconds;
     const double patience = viewer_.idle() || hidden ? rest : spare_;
     for (const WindowEvent& event : window_->events(stale_ > 0 || panels_.busy() ? spare_ : patience)) {
-      if (!hud_.takes(event) && !hud_.handle(event, viewer_) && !panels_.handle(event)) viewer_.handle(event);
+      if (!hud_.takes(event) && !hud_.handle(event, viewer_) && !panels_.handle(event) && !keeps(event)) {
+        viewer_.handle(event);
+      }
       stale_ = kFramesToSettle;
     }
     if (window_->framebuffer() != shown_) stale_ = kFramesToSettle;
+  }
+
+  /// Something is to be kept in a file: at the next frame.
+  bool keeps(const WindowEvent& event) {
+    const Input* input = event.kind == WindowEvent::Kind::Press && !event.control ? findInput(event.key) : nullptr;
+    if (input == nullptr) return false;
+    picture_ = picture_ || input->action == InputAction::KeepPicture;
+    film_ = film_ != (input->action == InputAction::Film);
+    return input->action == InputAction::KeepPicture || input->action == InputAction::Film;
+  }
+
+  /// What a deed with files said, or why it failed.
+  template <class Deed>
+  void tell(const Deed& deed) {
+    try {
+      if (std::string said = deed(); !said.empty()) viewer_.note(std::move(said));
+    } catch (const std::exception& error) {
+      viewer_.note(error.what());
+    }
+  }
+
+  /// The cloth alone, without the text over it.
+  void film() {
+    if (std::exchange(film_, false)) {
+      tell([this]() -> std::string {
+        if (keeper_.filming()) return keeper_.endMovie();
+        keeper_.beginMovie(viewer_.scene().name, shown_.width, shown_.height);
+        return {};
+      });
+    }
+    if (!keeper_.filming()) return;
+    readFramebuffer(shown_.width, shown_.height, pixels_);
+    tell([this] { return keeper_.film(pixels_, now()); });
+  }
+
+  /// What the window shows, text included.
+  void keepPicture() {
+    if (!std::exchange(picture_, false)) return;
+    readFramebuffer(shown_.width, shown_.height, pixels_);
+    tell([this] { return keeper_.keep(pixels_, viewer_.scene(), viewer_.record()); });
+  }
+
+  void giveNotice() {
+    if (viewer_.pushes() > 0) hints_.did(Hints::Deed::Poke);
+    std::array<char, 160> text{};
+    if (keeper_.filming()) {
+      std::snprintf(text.data(), text.size(), "filming into %s  \u00b7  %.1f s  \u00b7  Z ends it",
+                    keeper_.movieName().c_str(), keeper_.filmed());
+      hud_.notice(text.data());
+    } else {
+      hud_.notice(viewer_.state() == RunState::Running ? hints_.show(now()) : std::string_view());
+    }
   }
 
   /// Pixels at each side that are not the cloth's.
@@ -112,7 +174,10 @@ class View {
     } catch (const std::exception& error) {
       viewer_.freeze(error.what());
     }
+    film();
+    giveNotice();
     hud_.draw(viewer_, panels_);
+    keepPicture();
     window_->swap();
   }
 
@@ -137,6 +202,10 @@ class View {
   int drawnSheet_;
   Hud hud_;
   Panels panels_;
+  Hints hints_;
+  Keeper keeper_{std::filesystem::current_path()};
+  Picture pixels_;
+  bool picture_ = false, film_ = false;  ///< asked for
   std::unique_ptr<ViewLog> log_;
   double opened_, spare_ = 0;
   std::int64_t frame_ = 0;

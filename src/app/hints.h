@@ -8,8 +8,8 @@
 
 namespace tyg {
 
-/// Where what a person has seen is remembered: XDG_STATE_HOME/tyg/hints, else HOME/.local/state/tyg/hints; nothing where
-/// neither is set.
+/// Where what a person has seen is remembered: XDG_STATE_HOME/tyg/hints, else HOME/.local/state/tyg/hints; nothing
+/// where neither is set.
 std::optional<std::filesystem::path> hintsFile();
 
 class Hints {

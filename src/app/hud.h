@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -33,6 +34,8 @@ class Hud {
   [[nodiscard]] int margin() const;
   /// The text and the panels, which take the place of the keys at their edge of the window.
   void draw(Viewer& viewer, Panels& panels);
+  /// A line to show while the cloth runs and nothing weightier is to be said; empty: none.
+  void notice(std::string_view text) { notice_ = text; }
   [[nodiscard]] float textSize() const { return size_; }  ///< pixels
 
  private:
@@ -53,6 +56,7 @@ class Hud {
   ImFont* large_ = nullptr;
   float size_ = 18;  ///< of the text, in ImGui's units
   std::vector<HelpLine> help_;
+  std::string notice_;
   TimeLine timeLine_;
   Buttons buttons_;
 };

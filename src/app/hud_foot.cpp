@@ -131,11 +131,14 @@ void Hud::drawPrompt(const Viewer& viewer, float bottom) const {
     say("%s", "asleep: nothing moves  \u00b7  a push wakes it");
   } else if (viewer.breaking()) {
     say("%s", "past its alarm: V takes a safe step, M a method that holds, R restarts");
+  } else if (!notice_.empty()) {
+    say("%s", notice_.c_str());
   } else {
     return;
   }
   if (warns) colour = warningOn(pen.background);
-  if (!warns) pen.font = large_, pen.size *= kLargeRatio;
+  const bool prompts = viewer.state() == RunState::Waiting || viewer.state() == RunState::Paused;
+  if (!warns && prompts) pen.font = large_, pen.size *= kLargeRatio;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float wrap = screen.x - 4 * size_;
   const ImVec2 extent = pen.extent(text.data(), wrap);

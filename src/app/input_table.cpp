@@ -33,6 +33,8 @@ constexpr std::array kInputs{
     Input{'M', HoldingMethod, "M", ""},
     Input{kEnterKey, RunOn, "Enter", ""},
     Input{'K', OpenControl, "K", "control: all that can be set"},
+    Input{'Y', KeepPicture, "Y", "picture and run, movie: kept in files"},
+    Input{'Z', Film, "Z", "picture and run, movie: kept in files"},
     Input{'H', ShowHelp, "H", "these keys"},
     Input{kEscapeKey, Leave, "Esc", "leave"},
     Input{'1', ChooseMethod, "1", "method"},

@@ -19,6 +19,7 @@ enum class InputAction {
   MoveForward, MoveLeft, MoveBack, MoveRight, MoveDown, MoveUp, FrameCloth,
   SmallerStep, LargerStep, SafeStep, HoldingMethod, RunOn,
   OpenControl,
+  KeepPicture, Film,
   ShowHelp, Leave,
   ChooseMethod,
   ShowStructural, ShowShear, ShowBend, ShowParticles, ShowPins, ShowGround, ChangeBackground,

@@ -28,10 +28,12 @@ void cut(const Picture& from, int width, int height, Picture& to) {
 }  // namespace
 
 /// The first number that no file has yet.
-std::string Keeper::freeStem() const {
+std::string Keeper::freeStem(const std::string& sceneName) const {
+  const std::string name = "tyg-" + std::filesystem::path(sceneName).stem().string();
   for (int number = 1;; ++number) {
-    std::string stem = name_ + "-" + std::to_string(number);
-    if (std::ranges::none_of(kEndings, [&](const char* end) { return std::filesystem::exists(folder_ / (stem + end)); }))
+    std::string stem = name + "-" + std::to_string(number);
+    if (std::ranges::none_of(kEndings,
+                             [&](const char* end) { return std::filesystem::exists(folder_ / (stem + end)); }))
       return stem;
   }
 }
@@ -39,20 +41,19 @@ std::string Keeper::freeStem() const {
 std::string Keeper::keep(const Picture& picture, Scene scene, const PushLog& log) {
   scene.integrator = log.integrator;
   scene.dt = log.dt;
-  const std::string stem = freeStem();
+  const std::string stem = freeStem(scene.name);
   writePng(picture, folder_ / (stem + ".png"));
   writeWholeFile(folder_ / (stem + ".toml"), sceneToToml(scene));
   writeWholeFile(folder_ / (stem + ".csv"), formatPushLog(log));
   return stem + ".png is kept; tyg run " + stem + ".toml --replay " + stem + ".csv does this run again.";
 }
 
-std::string Keeper::beginMovie(int width, int height) {
+void Keeper::beginMovie(const std::string& sceneName, int width, int height) {
   if (!haveFfmpeg()) throw InputError("movies need ffmpeg, which is not installed");
   width_ = width / 2 * 2, height_ = height / 2 * 2;
-  movieName_ = freeStem() + ".mp4";
+  movieName_ = freeStem(sceneName) + ".mp4";
   frames_ = 0;
   movie_ = std::make_unique<Movie>(folder_ / movieName_, width_, height_, kFramesPerSecond);
-  return "Filming into " + movieName_ + ".";
 }
 
 std::string Keeper::film(const Picture& picture, double now) {

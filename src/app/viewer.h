@@ -101,6 +101,7 @@ class Viewer {
   [[nodiscard]] bool asleep() const { return stillSince_ && time_ - *stillSince_ >= kStillSeconds; }
   [[nodiscard]] double speed() const { return frameClock_.speed(); }  ///< simulated seconds wanted per second
   [[nodiscard]] bool breaking() const { return breaking_; }           ///< runs on past its alarm
+  [[nodiscard]] int pushes() const { return pushes_; }                ///< clicks so far
   /// x, y, z of the last good state, m, its time in s, and the box around it.
   [[nodiscard]] std::span<const float> positions() const { return positions_; }
   [[nodiscard]] double time() const { return time_; }

@@ -36,16 +36,18 @@ Picture Offscreen::readPixels() const {
   return picture;
 }
 
-void Offscreen::readPixels(Picture& picture) const {
-  picture.width = width_, picture.height = height_;
-  const std::size_t row = 4 * static_cast<std::size_t>(width_);
-  picture.rgba.resize(row * static_cast<std::size_t>(height_));
+void Offscreen::readPixels(Picture& picture) const { readFramebuffer(width_, height_, picture); }
+
+void readFramebuffer(int width, int height, Picture& picture) {
+  picture.width = width, picture.height = height;
+  const std::size_t row = 4 * static_cast<std::size_t>(width);
+  picture.rgba.resize(row * static_cast<std::size_t>(height));
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data());
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data());
   // OpenGL's first row is the lowest.
   const auto begin = picture.rgba.begin();
   const auto step = static_cast<std::ptrdiff_t>(row);
-  for (std::ptrdiff_t above = 0, below = height_ - 1; above < below; ++above, --below) {
+  for (std::ptrdiff_t above = 0, below = height - 1; above < below; ++above, --below) {
     std::swap_ranges(begin + above * step, begin + (above + 1) * step, begin + below * step);
   }
 }

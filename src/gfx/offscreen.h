@@ -16,6 +16,10 @@ std::string_view nameOf(OffscreenKind kind);
 /// The kinds that this program was built with, the preferred one first.
 std::span<const OffscreenKind> offscreenKinds();
 
+/// What the current framebuffer shows, opaque or not as it is, into a picture that is used again, without allocating
+/// once it has the size.
+void readFramebuffer(int width, int height, Picture& picture);
+
 /// A context and its framebuffer. While it lives it is current, its framebuffer is bound and the OpenGL functions are
 /// loaded for it. One at a time: two alive at once is not supported (the loader's function pointers are global).
 class Offscreen {

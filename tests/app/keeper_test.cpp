@@ -30,7 +30,7 @@ class KeeperTest : public testing::Test {
     return text.str();
   }
   const std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "tyg_keeper_test";
-  Keeper keeper_{folder_, "tyg-curtain"};
+  Keeper keeper_{folder_};
 };
 
 TEST_F(KeeperTest, AKeptRunDoneAgainEndsInTheSameBits) {
@@ -70,7 +70,7 @@ TEST_F(KeeperTest, AFolderThatIsGoneIsAnError) {
 
 TEST_F(KeeperTest, AMovieKeepsTheRhythmOfTheClockAndEndsWhenTheWindowChangesItsSize) {
   if (!haveFfmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
-  (void)keeper_.beginMovie(65, 49);
+  keeper_.beginMovie("curtain", 65, 49);
   EXPECT_TRUE(keeper_.film(picture(65, 49), 10.0).empty());
   EXPECT_TRUE(keeper_.film(picture(65, 49), 10.5).empty());
   EXPECT_NEAR(keeper_.filmed(), 0.5, 1 / Keeper::kFramesPerSecond);
@@ -83,8 +83,8 @@ TEST_F(KeeperTest, AMovieKeepsTheRhythmOfTheClockAndEndsWhenTheWindowChangesItsS
 TEST_F(KeeperTest, AMovieThatIsNotEndedLeavesNoFile) {
   if (!haveFfmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
   {
-    Keeper keeper(folder_, "tyg-curtain");
-    (void)keeper.beginMovie(64, 48);
+    Keeper keeper(folder_);
+    keeper.beginMovie("curtain", 64, 48);
     (void)keeper.film(picture(64, 48), 0);
   }
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
