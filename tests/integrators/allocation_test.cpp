@@ -1,35 +1,11 @@
 // A running simulation allocates nothing: ten times as many steps take not one allocation more.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
-#include <cstdlib>
-#include <new>
 
+#include "counted_allocations.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-#pragma GCC diagnostic ignored "-Wmismatched-new-delete"  // GCC does not see that these two belong together
-// Every form of new in the standard library ends in one of these two.
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  ++allocations;
-  const auto to = static_cast<std::size_t>(alignment);
-  if (void* memory = std::aligned_alloc(to, (size + to - 1) / to * to)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 
 namespace tyg {
 namespace {
