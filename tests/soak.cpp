@@ -1,0 +1,188 @@
+// Hours of random deeds at the viewer and its panels, without a window: keys, clicks, drags, wheel, resizes, scenes.
+//   soak [HOURS [SEED]]      default 2 hours; meant for a build with the address sanitizer
+// Time is the viewer's own: frames follow each other without waiting, and what a frame may take of a second it takes of
+// a twentieth of one. Ends with exit code 1 where a position is not finite, a restarted cloth does not move, or memory
+// keeps growing. Must not know: how panels are drawn; ImGui draws into nothing.
+#include <imgui.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <string>
+
+#include "app/panels/panels.h"
+#include "app/viewer.h"
+#include "tyg/methods.h"
+
+namespace tyg {
+namespace {
+
+constexpr double kFrame = 1.0 / 60, kHurry = 20;
+constexpr int kFramesPerScene = 3000, kFramesToMove = 60;
+/// Of the largest memory in the first half of a run, that the second half may have more, and MB besides.
+constexpr double kGrowth = 1.25, kSlackMegabytes = 64;
+
+class Soak {
+ public:
+  explicit Soak(unsigned seed) : random_(seed), viewer_(loadScene("curtain", methodNames()), {.threads = 1}, clock()) {
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;
+    unsigned char* pixels = nullptr;
+    int width = 0, height = 0;
+    ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+    panels_ = std::make_unique<Panels>(18.0F);
+    viewer_.resize(size_, 0);
+  }
+  ~Soak() {
+    panels_.reset();
+    ImGui::DestroyContext();
+  }
+  Soak(const Soak&) = delete;
+  Soak& operator=(const Soak&) = delete;
+
+  /// Empty, or what was wrong.
+  std::string run(long frames) {
+    double before = 0, after = 0;  // MB, the most in each half
+    for (long k = 0; k < frames; ++k) {
+      if (k % kFramesPerScene == 0) {
+        if (std::string trouble = begin(); !trouble.empty()) return trouble;
+      }
+      if (chance(0.5)) deed();
+      frame();
+      for (const float number : viewer_.positions()) {
+        if (!std::isfinite(number)) return "a shown position is not finite in frame " + std::to_string(k);
+      }
+      if (k % 600 == 0) (k < frames / 2 ? before : after) = std::max(k < frames / 2 ? before : after, megabytes());
+    }
+    std::printf(
+        "%ld frames, %.0f s of the viewer's time, %ld deeds, %ld freezes; memory at most %.0f MB, then %.0f MB\n",
+        frames, double(frames) * kFrame, deeds_, freezes_, before, after);
+    return after > kGrowth * before + kSlackMegabytes ? "memory keeps growing" : "";
+  }
+
+ private:
+  static double real() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  }
+  Viewer::Clock clock() {
+    return [this] { return frameTime_ + kHurry * (real() - frameStart_); };
+  }
+  static double megabytes() {
+    std::ifstream in("/proc/self/statm");
+    double pages = 0, resident = 0;
+    in >> pages >> resident;
+    return resident * double(sysconf(_SC_PAGESIZE)) / 1e6;
+  }
+  bool chance(double share) { return std::uniform_real_distribution<double>(0, 1)(random_) < share; }
+  int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
+
+  void frame() {
+    frameTime_ = std::max(frameTime_ + kFrame, frameTime_ + kHurry * (real() - frameStart_));
+    frameStart_ = real();
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {float(size_.width), float(size_.height)};
+    io.DeltaTime = float(kFrame);
+    viewer_.resize(size_, 0);
+    viewer_.frame();
+    panels_->follow(viewer_);
+    ImGui::NewFrame();
+    panels_->draw(viewer_);
+    ImGui::Render();
+    freezes_ += viewer_.state() == RunState::Frozen && !frozen_ ? 1 : 0;
+    frozen_ = viewer_.state() == RunState::Frozen;
+  }
+
+  /// Another scene, started: it must move, or break as scenes that are meant to do.
+  std::string begin() {
+    const auto scenes = builtinScenes();
+    Scene scene = loadScene(std::string(scenes[std::size_t(below(int(scenes.size())))].name), methodNames());
+    if (chance(0.3)) scene.columns = std::max(1, scene.columns / 2);
+    if (scene != viewer_.scene()) viewer_.use(scene);
+    key('R'), frame();
+    key(' ');
+    for (int k = 0; k < kFramesToMove; ++k) frame();
+    if (viewer_.state() == RunState::Running && !(viewer_.time() > 0)) return scene.name + " does not move";
+    return {};
+  }
+
+  void send(const WindowEvent& event) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool press = event.kind == WindowEvent::Kind::Press;
+    const bool taken = press && (isMouse(event.key) ? io.WantCaptureMouse : io.WantCaptureKeyboard);
+    if (!taken && !panels_->handle(event)) viewer_.handle(event);
+  }
+  void key(KeyCode code) {
+    send({.kind = WindowEvent::Kind::Press, .key = code, .control = chance(0.1), .shift = chance(0.1)});
+    send({.kind = WindowEvent::Kind::Release, .key = code});
+  }
+
+  void deed() {
+    ++deeds_;
+    switch (below(8)) {
+      case 0:
+      case 1:
+      case 2: {
+        const Input& input = inputTable()[std::size_t(below(int(inputTable().size())))];
+        if (isMouse(input.key) || input.action == InputAction::Leave) return;
+        return key(input.key);
+      }
+      case 3:
+        return mouse(kLeftButton);
+      case 4:
+        return mouse(kRightButton);
+      case 5:
+        return send({.kind = WindowEvent::Kind::Scroll, .notches = double(below(7) - 3)});
+      case 6:
+        if (chance(0.05)) size_ = {below(1900), below(1060)};  // nothing at all now and then, as when minimised
+        if (chance(0.05)) send({.kind = WindowEvent::Kind::FocusLost});
+        return;
+      default:
+        if (chance(0.2)) viewer_.turnToTime(viewer_.timeline().first + chance(0.5) * (viewer_.time() / 2));
+        return;
+    }
+  }
+
+  /// A click, or a drag over some frames.
+  void mouse(KeyCode button) {
+    ImGuiIO& io = ImGui::GetIO();
+    double x = below(std::max(1, size_.width)), y = below(std::max(1, size_.height));
+    io.MousePos = {float(x), float(y)};
+    frame();
+    io.MouseDown[button == kLeftButton ? 0 : 1] = true;
+    send({.kind = WindowEvent::Kind::Press, .key = button, .x = x, .y = y});
+    for (int k = below(6); k > 0; --k) {
+      x += below(81) - 40, y += below(81) - 40;
+      io.MousePos = {float(x), float(y)};
+      send({.kind = WindowEvent::Kind::Move, .x = x, .y = y});
+      frame();
+    }
+    io.MouseDown[button == kLeftButton ? 0 : 1] = false;
+    send({.kind = WindowEvent::Kind::Release, .key = button, .x = x, .y = y});
+  }
+
+  std::mt19937 random_;
+  double frameTime_ = 0, frameStart_ = real();
+  Viewer viewer_;
+  std::unique_ptr<Panels> panels_;
+  Extent size_{1280, 720};
+  long deeds_ = 0, freezes_ = 0;
+  bool frozen_ = false;
+};
+
+}  // namespace
+}  // namespace tyg
+
+int main(int count, char** words) {
+  const double hours = count > 1 ? std::atof(words[1]) : 2;
+  const unsigned seed = count > 2 ? unsigned(std::atoi(words[2])) : 1;
+  tyg::Soak soak(seed);
+  const std::string trouble = soak.run(std::lround(hours * 3600 / tyg::kFrame));
+  if (trouble.empty()) return 0;
+  std::fprintf(stderr, "soak: %s (seed %u)\n", trouble.c_str(), seed);
+  return 1;
+}
