@@ -62,7 +62,7 @@ class View {
         renderer_(std::make_unique<SheetRenderer>(viewer.simulation().sheet())),
         drawnSheet_(viewer.sheetsSoFar()),
         hud_(*window_, std::stod(options.uiScale)),
-        panels_(hud_.textSize()),
+        panels_(hud_.textSize(), viewer),
         hints_(options.log ? std::nullopt : hintsFile()),
         opened_(now()) {
     if (options.log) log_ = std::make_unique<ViewLog>(*options.log);
@@ -89,10 +89,9 @@ class View {
     const double rest = log_ ? kIdleSeconds : kAsleepSeconds;
     const double patience = viewer_.idle() || hidden ? rest : spare_;
     for (const WindowEvent& event : window_->events(stale_ > 0 || panels_.busy() ? spare_ : patience)) {
-      if (!hud_.takes(event) && !hud_.handle(event, viewer_) && !panels_.handle(event) && !keeps(event)) {
-        viewer_.handle(event);
-      }
       stale_ = kFramesToSettle;
+      if (hud_.takes(event) || panels_.handle(event, viewer_) || hud_.handle(event, viewer_) || keeps(event)) continue;
+      viewer_.handle(event);
     }
     if (window_->framebuffer() != shown_) stale_ = kFramesToSettle;
   }

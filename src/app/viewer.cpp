@@ -28,11 +28,6 @@ constexpr double kSmoothingSeconds = 0.5;
 /// A longer frame says that nothing moved before it, not how fast frames come.
 constexpr double kLongestMeasuredFrame = 0.5;
 
-double pushNewtons(const Sheet& sheet) {
-  const double weight = sheet.particleMass * kEarthGravity;
-  return weight * std::max(kLeastPush, kPushShare * sheet.count());
-}
-
 int wholeTicks(double seconds, double dt) {
   constexpr double kMost = 1e9;  // of ticks too short to simulate, a push lasts as many as can be counted
   return static_cast<int>(std::clamp(std::ceil(seconds / dt - 1e-9), 1.0, kMost));
@@ -202,13 +197,24 @@ void Viewer::choose(std::size_t place) {
   if (place < methods().size()) useMethod(methods()[place]);
 }
 
+double Viewer::pushNewtons() const {
+  const Sheet& sheet = simulation_.sheet();
+  const double weight = sheet.particleMass * kEarthGravity;
+  return pushFactor_ * weight * std::max(kLeastPush, kPushShare * sheet.count());
+}
+
+void Viewer::setPushFactor(double factor) {
+  constexpr double kMost = 100;
+  pushFactor_ = std::clamp(factor, 1 / kMost, kMost);
+}
+
 void Viewer::beginPush(glm::vec2 cursor) {
   if (state_ == RunState::Frozen || pixels_.width <= 0 || pixels_.height <= 0) return;
   const glm::vec2 window(pixels_.width, pixels_.height);
   const Sheet& sheet = simulation_.sheet();
   const std::optional<int> hit = pickParticle(camera_, cursor, window, sheet, positions_);
   const glm::dvec3 away = hit ? glm::dvec3(sightLine(camera_, cursor, window).direction) : glm::dvec3(0, 0, 1);
-  const glm::dvec3 force = pushNewtons(sheet) * away;
+  const glm::dvec3 force = pushNewtons() * away;
   beforeDeed();
   picked_ = hit ? *hit : particleAt(sheet, Place{.name = "middle"});
   force_ = {force.x, force.y, force.z};

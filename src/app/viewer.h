@@ -72,6 +72,10 @@ class Viewer {
   /// Goes on with this scene: at once where the running simulation can (another method or step), else from the start.
   /// Changes nothing and shows a note where the scene does not fit together. Returns what it took.
   SceneChange use(const Scene& scene);
+  /// Clicks push this many times as strongly as usual; > 0, clamped to 0.01..100.
+  void setPushFactor(double factor);
+  [[nodiscard]] double pushFactor() const { return pushFactor_; }
+  [[nodiscard]] double pushNewtons() const;  ///< of the next click
   /// Called with the log of a run that has ended, at a restart.
   void onRunEnd(std::function<void(const PushLog&)> keep) { onRunEnd_ = std::move(keep); }
 
@@ -202,6 +206,7 @@ class Viewer {
   bool help_ = true;
 
   int picked_ = -1, pushes_ = 0;
+  double pushFactor_ = 1;
   Vec3 force_;                ///< N, of the last push
   std::int64_t pushEnd_ = 0;  ///< tick
   double pushedAt_ = 0;       ///< s, of the clock

@@ -9,6 +9,7 @@
 namespace tyg {
 
 SceneChange Viewer::use(const Scene& scene) {
+  if (seeking_) return SceneChange::None;
   const SceneChange change = changeBetween(scene_, scene);
   try {
     if (change == SceneChange::Live) useLive(scene);

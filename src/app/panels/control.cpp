@@ -1,42 +1,262 @@
-// See control.h.
+// See control.h. Each field shows the scene in use; what a person does to it makes a scene that is wanted. A change
+// that restarts the cloth waits until the mouse or the keyboard lets go of its field, one that does not is taken at
+// once.
 #include "app/panels/control.h"
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 #include <string>
 
+#include "app/edits.h"
+#include "app/overlay.h"
 #include "app/viewer.h"
 #include "tyg/methods.h"
 
 namespace tyg {
 namespace {
 
+constexpr double kShortestMs = 1e-3, kLongestMs = 100;      // of the step's slider
+constexpr double kFinestMm = 1e-7, kCoarsestMm = 100;       // of the tolerance's
+constexpr double kMostStiffness = 1e5, kMostDamping = 100;  // N/m, N s/m
+constexpr double kMostDrag = 1, kMostGravity = 100;         // N s/m, m/s2
+constexpr int kMostParticles = 512;                         // in a row or column, set by hand
+constexpr float kLabels = 4.6F;                             // width of the names, in sizes of the text
+constexpr int kLog = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp;
+
+void name(const char* text, float size) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(text);
+  ImGui::SameLine(kLabels * size + ImGui::GetStyle().WindowPadding.x);
+  ImGui::SetNextItemWidth(-1);
+}
+
+void heading(const char* text, const char* explanation) {
+  ImGui::Separator();
+  ImGui::TextUnformatted(text);
+  ImGui::SameLine();
+  ImGui::TextDisabled("%s", explanation);
+}
+
+/// A logarithmic slider in the field's own unit: `scale` of them are one of the value's. True where it was moved.
+bool slider(const char* id, double& value, double scale, std::array<double, 2> range, const char* format) {
+  double shown = value * scale;
+  if (!ImGui::SliderScalar(id, ImGuiDataType_Double, &shown, range.data(), &range[1], format, kLog)) return false;
+  value = shown / scale;
+  return true;
+}
+
 class ControlPanel final : public Panel {
  public:
   void draw(const PanelScope& scope) override {
-    Scene wanted = scope.viewer.scene();
-    chooseScene(wanted);
-    chooseMethod(wanted);
-    scope.viewer.use(wanted);
+    Viewer& viewer = scope.viewer;
+    Scene wanted = draft_.value_or(viewer.scene());
+    drawScene(scope, wanted);
+    drawEdits(scope, wanted);
+    drawStepping(scope, wanted);
+    heading("Cloth", "a change starts it anew");
+    drawSheet(scope, wanted);
+    drawSprings(scope, wanted);
+    drawWorld(scope, wanted);
+    take(viewer, wanted);
   }
 
  private:
-  static void chooseScene(Scene& wanted) {
-    if (!ImGui::BeginCombo("scene", wanted.name.c_str())) return;
+  void take(Viewer& viewer, const Scene& wanted) {
+    const SceneChange change = changeBetween(viewer.scene(), wanted);
+    draft_.reset();
+    if (change == SceneChange::None) return;
+    if (change != SceneChange::Live && ImGui::IsAnyItemActive()) {
+      draft_ = wanted;
+      return;
+    }
+    viewer.use(wanted);
+  }
+
+  static void drawScene(const PanelScope& scope, Scene& wanted) {
+    name("scene", scope.size);
+    if (!ImGui::BeginCombo("##scene", wanted.name.c_str(), ImGuiComboFlags_HeightLarge)) return;
     for (const BuiltinScene& scene : builtinScenes()) {
-      const std::string name(scene.name);
-      if (ImGui::Selectable(name.c_str(), name == wanted.name)) wanted = loadScene(name, methodNames());
+      const std::string text(scene.name);
+      if (ImGui::Selectable(text.c_str(), text == wanted.name)) wanted = loadScene(text, methodNames());
     }
     ImGui::EndCombo();
   }
-  static void chooseMethod(Scene& wanted) {
-    if (!ImGui::BeginCombo("method", wanted.integrator.c_str())) return;
-    for (const Method& method : methods()) {
-      const std::string name(method.name);
-      if (ImGui::Selectable(name.c_str(), name == wanted.integrator)) wanted.integrator = name;
+
+  static void drawStepping(const PanelScope& scope, Scene& wanted) {
+    heading("Method", "changes at once");
+    name("method", scope.size);
+    if (ImGui::BeginCombo("##method", wanted.integrator.c_str(), ImGuiComboFlags_HeightLarge)) {
+      for (const Method& method : methods()) {
+        const std::string text(method.name);
+        if (ImGui::Selectable(text.c_str(), text == wanted.integrator)) wanted.integrator = text;
+      }
+      ImGui::EndCombo();
     }
-    ImGui::EndCombo();
+    name("step", scope.size);
+    if (slider("##step", wanted.dt, 1e3, {kShortestMs, kLongestMs}, "%.4g ms")) {
+      wanted.dt = std::clamp(wanted.dt, kShortestMs * 1e-3, kLongestMs * 1e-3);
+    }
+    drawStepMargin(scope);
+    drawPush(scope);
   }
+
+  /// Along the slider's foot: green up to nine tenths of the limit, amber up to it, hatched beyond; it ends where the
+  /// slider's step is the limit.
+  static void drawStepMargin(const PanelScope& scope) {
+    const Margin& margin = scope.viewer.margin();
+    if (margin.band() == MarginBand::None || !(margin.limit > 0)) return;
+    const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+    const float grab = 0.5F * ImGui::GetStyle().GrabMinSize + 2;
+    const auto at = [&](double seconds) {
+      const double share = std::log(seconds * 1e3 / kShortestMs) / std::log(kLongestMs / kShortestMs);
+      return from.x + grab + static_cast<float>(std::clamp(share, 0.0, 1.0)) * (to.x - from.x - 2 * grab);
+    };
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float top = to.y - std::round(0.22F * scope.size), limit = at(margin.limit);
+    list.AddRectFilled({from.x, top}, {at(Margin::kClose * margin.limit), to.y}, scope.colours.good);
+    list.AddRectFilled({at(Margin::kClose * margin.limit), top}, {limit, to.y}, scope.colours.warning);
+    list.PushClipRect({limit, top}, to, true);
+    for (float x = limit; x < to.x; x += 0.3F * scope.size) {
+      list.AddLine({x, to.y}, {x + to.y - top, top}, scope.colours.warning, 1.5F);
+    }
+    list.PopClipRect();
+    list.AddLine({limit, from.y}, {limit, to.y}, scope.colours.text, 2);
+    MarginText text;
+    describe(margin, text);
+    ImGui::Dummy({0, 0});
+    ImGui::SameLine(kLabels * scope.size + ImGui::GetStyle().WindowPadding.x);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextDisabled("%s", text.data());
+    ImGui::PopTextWrapPos();
+  }
+
+  static void drawPush(const PanelScope& scope) {
+    name("push", scope.size);
+    const double usual = scope.viewer.pushNewtons() / scope.viewer.pushFactor();
+    double factor = scope.viewer.pushFactor();
+    if (slider("##push", factor, usual, {0.01 * usual, 100 * usual}, "%.3g N")) scope.viewer.setPushFactor(factor);
+  }
+
+  void drawSheet(const PanelScope& scope, Scene& wanted) {
+    name("sheet", scope.size);
+    if (!typing_) size_ = {wanted.columns, wanted.rows};
+    ImGui::InputInt2("##sheet", size_.data());
+    typing_ = ImGui::IsItemActive();
+    const bool typed = ImGui::IsItemDeactivatedAfterEdit();
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("columns and rows of particles, %.4g mm apart", 1e3 * wanted.spacing);
+    if (typed) resize(scope.viewer, wanted);
+    name("precision", scope.size);
+    constexpr std::array kPrecisions{"float, 4 bytes", "double, 8 bytes"};
+    int precision = static_cast<int>(wanted.precision);
+    if (ImGui::Combo("##precision", &precision, kPrecisions.data(), int(kPrecisions.size()))) {
+      wanted.precision = static_cast<Precision>(precision);
+    }
+    if (!findMethod(wanted.integrator).adaptive) return;
+    name("tolerance", scope.size);
+    slider("##tolerance", wanted.tolerance, 1e3, {kFinestMm, kCoarsestMm}, "%.3g mm");
+    wanted.tolerance = std::max(wanted.tolerance, kFinestMm * 1e-3);
+  }
+
+  void resize(Viewer& viewer, Scene& wanted) {
+    for (int& count : size_) count = std::clamp(count, 1, kMostParticles);
+    try {
+      wanted = withSheet(wanted, size_[0], size_[1]);
+    } catch (const InputError& error) {
+      viewer.note(error.what());
+    }
+  }
+
+  static void drawSprings(const PanelScope& scope, Scene& wanted) {
+    if (!ImGui::BeginTable("springs", 3)) return;
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed,
+                            kLabels * scope.size - ImGui::GetStyle().CellPadding.x);
+    ImGui::TableSetupColumn("stiffness");
+    ImGui::TableSetupColumn("damping");
+    ImGui::TableNextRow();
+    for (int column = 1; column < 3; ++column) {
+      ImGui::TableSetColumnIndex(column);
+      ImGui::TextDisabled("%s", column == 1 ? "stiffness, N/m" : "damping, N s/m");
+    }
+    family("structural", wanted.structural), family("shear", wanted.shear), family("bend", wanted.bend);
+    ImGui::EndTable();
+    name("damping", scope.size);
+    constexpr std::array kLaws{"of relative velocity", "along the spring"};
+    int law = static_cast<int>(wanted.damping);
+    if (ImGui::Combo("##law", &law, kLaws.data(), int(kLaws.size()))) wanted.damping = static_cast<Damping>(law);
+  }
+
+  static void family(const char* text, SpringFamily& springs) {
+    ImGui::PushID(text);
+    ImGui::TableNextRow();
+    ImGui::TableSetColumnIndex(0);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text);
+    ImGui::TableSetColumnIndex(1);
+    ImGui::SetNextItemWidth(-1);
+    slider("##ks", springs.ks, 1, {0, kMostStiffness}, "%.4g");
+    ImGui::TableSetColumnIndex(2);
+    ImGui::SetNextItemWidth(-1);
+    slider("##kd", springs.kd, 1, {0, kMostDamping}, "%.3g");
+    ImGui::PopID();
+  }
+
+  static void drawWorld(const PanelScope& scope, Scene& wanted) {
+    name("gravity", scope.size);
+    std::array<double, 3> gravity{wanted.gravity.x, wanted.gravity.y, wanted.gravity.z};
+    constexpr double kLow = -kMostGravity;
+    if (ImGui::DragScalarN("##gravity", ImGuiDataType_Double, gravity.data(), 3, 0.05F, &kLow, &kMostGravity, "%.2f",
+                           ImGuiSliderFlags_AlwaysClamp)) {
+      wanted.gravity = {gravity[0], gravity[1], gravity[2]};
+    }
+    ImGui::Dummy({0, 0});
+    ImGui::SameLine(kLabels * scope.size + ImGui::GetStyle().WindowPadding.x);
+    ImGui::TextDisabled("x, y (up), z, m/s\u00b2");
+    name("air drag", scope.size);
+    slider("##drag", wanted.drag, 1, {0, kMostDrag}, "%.3g N s/m");
+  }
+
+  void drawEdits(const PanelScope& scope, Scene& wanted) {
+    Viewer& viewer = scope.viewer;
+    bool edited = false;
+    const auto button = [&edited](const char* text, const char* tip, bool usable) {
+      if (!usable) ImGui::BeginDisabled();
+      const bool pressed = ImGui::Button(text);
+      if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
+      if (!usable) ImGui::EndDisabled();
+      ImGui::SameLine();
+      edited = edited || pressed;
+      return pressed;
+    };
+    if (button("Undo", "Ctrl+Z", scope.edits.canUndo())) scope.edits.undo(viewer);
+    if (button("Redo", "Ctrl+Y or Ctrl+Shift+Z", scope.edits.canRedo())) scope.edits.redo(viewer);
+    if (button("Reset", "the scene's own values", viewer.scene() != scope.edits.original(viewer))) {
+      scope.edits.reset(viewer);
+    }
+    if (edited) wanted = viewer.scene();
+    if (button("Save .toml", "into the folder that tyg was started in", true)) said_ = save(viewer);
+    ImGui::NewLine();
+    if (said_.empty()) return;
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(said_.c_str());
+    ImGui::PopTextWrapPos();
+  }
+
+  static std::string save(const Viewer& viewer) {
+    try {
+      return "saved as " + saveScene(viewer).string();
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+  }
+
+  std::optional<Scene> draft_;  ///< what a held field has come to
+  std::array<int, 2> size_{};   ///< of the sheet, as typed
+  bool typing_ = false;
+  std::string said_;
 };
 
 }  // namespace

@@ -12,11 +12,13 @@
 
 namespace tyg {
 
+class Edits;
 class Viewer;
 
 /// What a panel is drawn with.
 struct PanelScope {
   Viewer& viewer;
+  Edits& edits;
   const Colours& colours;
   Background background;
   float size;  ///< of the text, pixels

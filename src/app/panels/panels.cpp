@@ -8,15 +8,13 @@
 #include <cmath>
 #include <string>
 
-#include "app/viewer.h"
-
 namespace tyg {
 namespace {
 
 /// Of the window's width, at most, for a panel that stands at an edge: the cloth keeps the middle.
 constexpr float kWidestShare = 0.46F;
-/// From the window's edges, in text sizes: the title is above, the status line below.
-constexpr float kSide = 0.6F, kAbove = 2.4F, kBelow = 2.6F, kBetween = 0.5F;
+/// From the window's edges, in text sizes: the title is above, the lines of the status below.
+constexpr float kSide = 0.6F, kAbove = 2.4F, kBelow = 4.2F, kBetween = 0.5F;
 constexpr float kLowest = 6;  ///< a panel is at least this high before it gets a scroll bar, in text sizes
 
 std::size_t placeOf(InputAction action) {
@@ -26,8 +24,23 @@ std::size_t placeOf(InputAction action) {
 
 }  // namespace
 
-bool Panels::handle(const WindowEvent& event) {
+bool Panels::covers(const WindowEvent& event) const {
+  if (event.kind != WindowEvent::Kind::Press || !isMouse(event.key)) return false;
+  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+  const double x = event.x / std::max(scale.x, 0.01F), y = event.y / std::max(scale.y, 0.01F);
+  return std::ranges::any_of(order_, [&](std::size_t which) {
+    const Place& place = places_[which];
+    return x >= place.shownX && x < place.shownX + place.width && y >= place.shownY && y < place.shownY + place.height;
+  });
+}
+
+bool Panels::handle(const WindowEvent& event, Viewer& viewer) {
+  if (covers(event)) return true;
   if (event.kind != WindowEvent::Kind::Press || isMouse(event.key)) return false;
+  if (event.control) {
+    handleControl(event, viewer);
+    return true;
+  }
   if (event.key == kEscapeKey && !order_.empty()) {
     closeLast();
     return true;
@@ -36,6 +49,15 @@ bool Panels::handle(const WindowEvent& event) {
   if (input == nullptr || placeOf(input->action) == places_.size()) return false;
   toggle(input->action);
   return true;
+}
+
+void Panels::handleControl(const WindowEvent& event, Viewer& viewer) {
+  const bool redo = event.key == 'Y' || (event.key == 'Z' && event.shift);
+  if (redo) {
+    edits_.redo(viewer);
+  } else if (event.key == 'Z') {
+    edits_.undo(viewer);
+  }
 }
 
 void Panels::toggle(InputAction action) {
@@ -65,6 +87,7 @@ void Panels::closeLast() { setOpen(order_.back(), false); }
 
 void Panels::follow(Viewer& viewer) {
   for (const std::size_t which : order_) places_[which].panel->follow(viewer);
+  if (!ImGui::IsAnyItemActive()) edits_.follow(viewer);
 }
 
 float Panels::widthOf(const PanelKind& kind) const {
@@ -118,9 +141,10 @@ void Panels::drawOne(std::size_t which, Viewer& viewer, float top) {
   const std::string title(kind.title);
   ImGui::Begin(title.c_str(), &open, flags);
   const Background background = viewer.drawOptions().background;
-  place.panel->draw({viewer, coloursOn(background), background, size_});
+  place.panel->draw({viewer, edits_, coloursOn(background), background, size_});
   const ImVec2 at = ImGui::GetWindowPos();
-  place.height = ImGui::GetWindowHeight();
+  place.shownX = at.x, place.shownY = at.y;
+  place.width = ImGui::GetWindowWidth(), place.height = ImGui::GetWindowHeight();
   ImGui::End();
   place.dragged = place.dragged || std::abs(at.x - place.x) > 1 || std::abs(at.y - place.y) > 1;
   if (!open) setOpen(which, false);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/edits.h"
 #include "app/panels/panel.h"
 #include "app/window.h"
 
@@ -13,11 +14,14 @@ namespace tyg {
 class Panels {
  public:
   /// `size`: of the text, pixels. An ImGui context exists as long as this lives.
-  explicit Panels(float size) : size_(size), places_(panelTable().size()) {}
+  Panels(float size, const Viewer& viewer) : size_(size), edits_(viewer), places_(panelTable().size()) {}
 
-  /// What the person did, after ImGui had its choice: a panel's key opens or closes it, Esc closes the one opened last.
+  /// What the person did, after ImGui had its choice: a panel's key opens or closes it, Esc closes the one opened last,
+  /// Ctrl+Z undoes the last change of the scene, Ctrl+Y and Ctrl+Shift+Z do it again.
   /// True where that was all; false where the event is for the viewer.
-  bool handle(const WindowEvent& event);
+  bool handle(const WindowEvent& event, Viewer& viewer);
+  /// A press of the mouse on a panel. ImGui knows that only after the frame that follows the mouse there.
+  [[nodiscard]] bool covers(const WindowEvent& event) const;
   void toggle(InputAction action);
   [[nodiscard]] bool isOpen(InputAction action) const;
 
@@ -34,16 +38,18 @@ class Panels {
   struct Place {
     std::unique_ptr<Panel> panel;  ///< null until it is first opened
     bool open = false;
-    bool dragged = false;  ///< stands where somebody put it
-    float x = 0, y = 0;    ///< where it was placed, pixels
-    float height = 0;      ///< as last drawn, pixels; 0 before
+    bool dragged = false;                                 ///< stands where somebody put it
+    float x = 0, y = 0;                                   ///< where it was placed, ImGui's units
+    float shownX = 0, shownY = 0, width = 0, height = 0;  ///< as last drawn; 0 before
   };
   void setOpen(std::size_t which, bool open);
   void closeLast();
+  void handleControl(const WindowEvent& event, Viewer& viewer);
   void drawOne(std::size_t which, Viewer& viewer, float top);
   [[nodiscard]] float widthOf(const PanelKind& kind) const;
 
   float size_;
+  Edits edits_;
   std::vector<Place> places_;       ///< one for each line of the table
   std::vector<std::size_t> order_;  ///< of those open, last opened last
 };

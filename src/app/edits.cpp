@@ -1,0 +1,42 @@
+// See edits.h.
+#include "app/edits.h"
+
+#include "app/render.h"
+#include "core/scene_writer.h"
+#include "core/whole_file.h"
+
+namespace tyg {
+
+void Edits::follow(const Viewer& viewer) {
+  originals_.try_emplace(viewer.scene().name, viewer.scene());
+  versions_.note(setupOf(viewer));
+}
+
+const Scene& Edits::original(const Viewer& viewer) const {
+  const auto found = originals_.find(viewer.scene().name);
+  return found == originals_.end() ? viewer.scene() : found->second;
+}
+
+void Edits::reset(Viewer& viewer) const { apply({original(viewer), 1}, viewer); }
+
+void Edits::apply(const Setup& setup, Viewer& viewer) {
+  viewer.use(setup.scene);
+  viewer.setPushFactor(setup.pushFactor);
+}
+
+std::filesystem::path freeName(const std::filesystem::path& folder, const std::string& stem,
+                               const std::string& ending) {
+  std::filesystem::path name = folder / (stem + ending);
+  for (int number = 2; std::filesystem::exists(std::filesystem::symlink_status(name)); ++number) {
+    name = folder / (stem + "-" + std::to_string(number) + ending);
+  }
+  return name;
+}
+
+std::filesystem::path saveScene(const Viewer& viewer) {
+  std::filesystem::path path = freeName("", fileStem(viewer.scene()), ".toml");
+  writeWholeFile(path, sceneToToml(viewer.scene()));
+  return path;
+}
+
+}  // namespace tyg

@@ -1,0 +1,48 @@
+// What a person has changed in a running window, by whatever means, so that it can be undone, done again, taken back to
+// the scene's own values and kept as a file. Must not know: windows, widgets.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "app/undo.h"
+#include "app/viewer.h"
+
+namespace tyg {
+
+/// Everything that can be set in the window.
+struct Setup {
+  Scene scene;
+  double pushFactor = 1;
+  bool operator==(const Setup&) const = default;
+};
+
+class Edits {
+ public:
+  explicit Edits(const Viewer& viewer) : versions_(setupOf(viewer)) { follow(viewer); }
+
+  /// Once a frame, but not while a slider is held: what then differs from before is one change.
+  void follow(const Viewer& viewer);
+  [[nodiscard]] bool canUndo() const { return versions_.canUndo(); }
+  [[nodiscard]] bool canRedo() const { return versions_.canRedo(); }
+  void undo(Viewer& viewer) { apply(versions_.undo(), viewer); }
+  void redo(Viewer& viewer) { apply(versions_.redo(), viewer); }
+  /// The scene as it was when the window first had it.
+  [[nodiscard]] const Scene& original(const Viewer& viewer) const;
+  void reset(Viewer& viewer) const;
+
+ private:
+  static Setup setupOf(const Viewer& viewer) { return {viewer.scene(), viewer.pushFactor()}; }
+  static void apply(const Setup& setup, Viewer& viewer);
+
+  UndoStack<Setup> versions_;
+  std::map<std::string, Scene> originals_;  ///< by scene name
+};
+
+/// STEM.ENDING in this folder, or STEM-2.ENDING and so on: the first of these names that nothing has yet.
+std::filesystem::path freeName(const std::filesystem::path& folder, const std::string& stem, const std::string& ending);
+/// Writes the viewer's scene as .toml into the current folder, under a name of its own. Throws InputError.
+std::filesystem::path saveScene(const Viewer& viewer);
+
+}  // namespace tyg
