@@ -5,7 +5,7 @@
 set -euo pipefail
 
 tyg=$1 backend=$2
-limit=120 # seconds for everything, on a slow and busy machine
+limit=200 # seconds for everything, on a slow and busy machine
 
 for tool in xvfb-run xauth xdotool; do
   command -v "$tool" >/dev/null || { echo "missing: $tool (.ci/setup installs it)" && exit 1; }
@@ -56,6 +56,10 @@ at_time() { is "($sim_s - $1)^2 < 1e-18"; }
 pushed() { [[ $pushes == "$1" ]]; }
 frames_since() { ((frame >= $1)); }
 eye_moved() { is "($eye_x - $old_x)^2 + ($eye_y - $old_y)^2 + ($eye_z - $old_z)^2 > 1e-8"; }
+step_past() { is "$dt > $1"; }
+step_below() { is "$dt < $1"; }
+earlier_than() { is "$sim_s < $1"; }
+stands_still() { [[ $state == running ]] && is "$sim_s == ${seen:--1}" || { seen=$sim_s && return 1; }; }
 press() { xdotool key --clearmodifiers "$1"; }
 few_frames() {
   look
@@ -137,13 +141,76 @@ until_true "R restarts" at_time 0
 eye_moved && fail "R moves the camera"
 in_state waiting || fail "R does not wait"
 
-# The last run is the one that is recorded.
+# The step is dragged past its limit of 4.26 ms: the cloth freezes at its last good frame.
+press 5
+press space
+until_true "it runs with rk4" in_state running
+drag_to_failure() {
+  look
+  xdotool keydown bracketright
+  until_true "the step passes its limit" step_past 0.0044
+  xdotool keyup bracketright
+  until_true "the alarm freezes it" in_state frozen
+  [[ $alarm != ok ]] || fail "it froze without an alarm"
+  broke_at=$sim_s
+}
+drag_to_failure
+press comma
+until_true "it steps back out of the failure" in_state paused
+is "$sim_s < $broke_at" || fail "stepping back does not go back"
+[[ $alarm == ok ]] || fail "the moment before the failure is not well"
+press period
+until_true "and forward again" at_time "$broke_at"
+for ((turn = 0; turn < 200; ++turn)); do # into the failure again, however many steps it takes
+  look && in_state frozen && break
+  press period
+done
+until_true "it fails again where it failed" in_state frozen
+press v
+until_true "a safe step is taken" step_below 0.0043
+until_true "and it goes on past the failure" later_than "$(awk "BEGIN { print $broke_at + 0.3 }")"
+in_state running || fail "it does not run with the safe step"
+
+# Once more, and out by a button: the first one, below the sentence.
+drag_to_failure
+few_frames
+xdotool mousemove --window "$window" 160 575 click 1
+until_true "the button takes the safe step" step_below 0.0043
+until_true "and it runs on" in_state running
+
+# The line of time.
+press space
+until_true "it pauses for the line of time" in_state paused
+few_frames
+late=$sim_s
+xdotool mousemove --window "$window" 640 634 mousedown 1
+until_true "the middle of the line of time is an earlier moment" earlier_than "$(awk "BEGIN { print 0.8 * $late }")"
+xdotool mousemove --window "$window" 1270 634 mouseup 1
+until_true "its right end is the last moment" at_time "$late"
+in_state paused || fail "the line of time does not pause"
+
+press semicolon
+press r
+until_true "R restarts after all that" at_time 0
+press apostrophe
+xdotool keydown bracketleft
+until_true "the held key makes the step smaller" step_below 0.0023 # leapfrog holds below 2.6 ms
+xdotool keyup bracketleft
+
+# The last run is the one that is recorded. What is gone back over and done anew is recorded as it was done last.
 press space
 until_true "it runs again" later_than 0.1
 xdotool mousemove --window "$window" 4 600 mousedown 1
 until_true "the held button pushes" pushed $((clicks + 2))
 until_true "and goes on" later_than 0.4
 xdotool mouseup 1
+press space
+until_true "it pauses once more" in_state paused
+few_frames
+now=$sim_s
+for ((turn = 0; turn < 10; ++turn)); do press comma; done
+until_true "it goes back" earlier_than "$now"
+press space
 press 4
 until_true "the method changes" uses leapfrog
 until_true "the push dies down" later_than 0.6
@@ -158,4 +225,29 @@ viewer=
 ((code == 0)) || fail "Escape left with $code"
 "$tyg" run curtain --replay "$record" >/dev/null || fail "the record does not replay to the same bits"
 grep -q 'push' "$record" && grep -q 'leapfrog' "$record" || fail "the record misses the push or the method"
+
+# A cloth that lies still falls asleep: it runs, and no time passes until it is pushed.
+cat >"$work/calm.toml" <<END
+title = "Calm"
+sheet = { columns = 4, rows = 4, spacing = 0.1, start = "hanging", particle_mass = 0.018, pins = ["top"] }
+springs = { structural = { ks = 1200, kd = 0.1 }, shear = { ks = 900, kd = 0.1 } }
+world = { drag = 0.3 }
+run = { duration = 1, integrator = "leapfrog", dt = 0.002 }
+END
+"$tyg" view "$work/calm.toml" --window "$backend" --log "$log" &
+viewer=$!
+until_true "it opens once more" in_state waiting
+xdotool search --sync --onlyvisible --name '^Tyg' >/dev/null
+press space
+until_true "it runs" later_than 1
+few_frames
+until_true "it falls asleep" stands_still
+few_frames
+is "$sim_s == $seen" || fail "it does not sleep: $sim_s after $seen"
+asleep_at=$sim_s
+xdotool mousemove 4 600 click 1
+until_true "a push wakes it" later_than "$asleep_at"
+press Escape
+wait "$viewer" || fail "Escape left with an error"
+viewer=
 echo "$backend: the window does what its keys say"

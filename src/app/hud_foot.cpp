@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "app/hud.h"
+#include "app/panels/style.h"
 
 namespace tyg {
 namespace {
@@ -33,13 +34,6 @@ std::vector<Buttons::Button> waysOut(const Viewer& viewer) {
   buttons.push_back({",", "a step back", InputAction::StepBack});
   buttons.push_back({"R", "restart", InputAction::Restart});
   return buttons;
-}
-
-ImU32 warningOn(Background background) {
-  return background == Background::Dark ? IM_COL32(255, 186, 96, 255) : IM_COL32(176, 76, 0, 255);
-}
-ImU32 textOn(Background background) {
-  return background == Background::Dark ? IM_COL32(232, 236, 242, 255) : IM_COL32(28, 32, 40, 255);
 }
 
 }  // namespace
@@ -80,7 +74,7 @@ float Hud::drawStatus(const Viewer& viewer) const {
   drawMargin(pen, {at.x, at.y - kLine * size_}, room, viewer.margin());
   pen.size *= std::min(1.0F, room / std::max(width, 1.0F));
   pen.shade(at, {at.x + std::min(width, room), at.y + pen.size});
-  pen.write(at, viewer.behind() ? warningOn(pen.background) : textOn(pen.background), text.data());
+  pen.write(at, viewer.behind() ? coloursOn(pen.background).warning : coloursOn(pen.background).text, text.data());
   return at.y - kLine * size_ - 0.6F * size_;
 }
 
@@ -106,14 +100,14 @@ void Hud::drawFailure(const Viewer& viewer, float bottom) {
   const float width = std::max(extent.x, std::min(room, Buttons::width(pen, buttons)));
   const ImVec2 at{0.5F * (screen.x - width), bottom - 0.6F * size_ - row - 0.5F * size_ - extent.y};
   pen.shade({at.x - 0.5F * size_, at.y - 0.4F * size_}, {at.x + width + 0.5F * size_, bottom - 0.6F * size_});
-  pen.write(at, warningOn(pen.background), viewer.message(), room);
+  pen.write(at, coloursOn(pen.background).warning, viewer.message(), room);
   buttons_.draw(pen, {at.x, at.y + extent.y + 0.5F * size_}, buttons, room);
 }
 
 void Hud::drawPrompt(const Viewer& viewer, float bottom) const {
   std::array<char, 1024> text{};
   Pen pen = penFor(viewer);
-  ImU32 colour = textOn(pen.background);
+  ImU32 colour = coloursOn(pen.background).text;
   const auto say = [&text](const char* format, auto... values) {
     std::snprintf(text.data(), text.size(), format, values...);
   };
@@ -136,7 +130,7 @@ void Hud::drawPrompt(const Viewer& viewer, float bottom) const {
   } else {
     return;
   }
-  if (warns) colour = warningOn(pen.background);
+  if (warns) colour = coloursOn(pen.background).warning;
   const bool prompts = viewer.state() == RunState::Waiting || viewer.state() == RunState::Paused;
   if (!warns && prompts) pen.font = large_, pen.size *= kLargeRatio;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;

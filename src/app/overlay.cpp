@@ -6,37 +6,21 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/panels/style.h"
+
 namespace tyg {
 namespace {
 
-struct Ink {
-  ImU32 text, dim, accent, shade, track;
-  ImU32 fine, close, past;  // Okabe and Ito (2008): bluish green, orange, vermilion
-};
-constexpr Ink kOnDark{.text = IM_COL32(232, 236, 242, 255),
-                      .dim = IM_COL32(148, 156, 170, 255),
-                      .accent = IM_COL32(126, 190, 255, 255),
-                      .shade = IM_COL32(12, 14, 20, 190),
-                      .track = IM_COL32(70, 78, 92, 255),
-                      .fine = IM_COL32(0, 178, 130, 255),
-                      .close = IM_COL32(240, 170, 20, 255),
-                      .past = IM_COL32(240, 96, 40, 255)};
-constexpr Ink kOnLight{.text = IM_COL32(28, 32, 40, 255),
-                       .dim = IM_COL32(96, 104, 118, 255),
-                       .accent = IM_COL32(0, 92, 190, 255),
-                       .shade = IM_COL32(255, 255, 255, 210),
-                       .track = IM_COL32(200, 206, 216, 255),
-                       .fine = IM_COL32(0, 140, 104, 255),
-                       .close = IM_COL32(200, 130, 0, 255),
-                       .past = IM_COL32(200, 66, 0, 255)};
-
-const Ink& inkOn(Background background) { return background == Background::Dark ? kOnDark : kOnLight; }
+/// Past the limit: vermilion, which the colour-blind tell from the bluish green of a safe step (Okabe and Ito, 2008).
+ImU32 pastColour(Background background) {
+  return background == Background::Dark ? IM_COL32(240, 96, 40, 255) : IM_COL32(200, 66, 0, 255);
+}
 
 constexpr double kBarEnd = 1.25;  // of the limit
 
-ImU32 inkOf(MarginBand band, const Ink& ink) {
-  if (band == MarginBand::Past) return ink.past;
-  return band == MarginBand::Close ? ink.close : ink.fine;
+ImU32 colourOf(MarginBand band, Background background) {
+  if (band == MarginBand::Past) return pastColour(background);
+  return band == MarginBand::Close ? coloursOn(background).warning : coloursOn(background).good;
 }
 
 /// Slanted lines between two corners.
@@ -81,17 +65,17 @@ void Pen::write(ImVec2 at, ImU32 colour, std::string_view text, float wrap) cons
 
 void Pen::shade(ImVec2 from, ImVec2 to) const {
   const float pad = 0.4F * size;
-  list->AddRectFilled({from.x - pad, from.y - 0.6F * pad}, {to.x + pad, to.y + 0.6F * pad}, inkOn(background).shade,
+  list->AddRectFilled({from.x - pad, from.y - 0.6F * pad}, {to.x + pad, to.y + 0.6F * pad}, coloursOn(background).shade,
                       0.4F * size);
 }
 
 void drawMarginBar(const Pen& pen, ImVec2 from, ImVec2 to, const Margin& margin) {
-  const Ink& ink = inkOn(pen.background);
+  const Colours& ink = coloursOn(pen.background);
   const MarginBand band = margin.band();
   if (band == MarginBand::None) return;
   const double share = std::min(margin.share(), kBarEnd);
   const auto at = [&](double part) { return from.x + float(part / kBarEnd) * (to.x - from.x); };
-  const ImU32 colour = inkOf(band, ink);
+  const ImU32 colour = colourOf(band, pen.background);
   pen.list->AddRectFilled(from, to, ink.shade);
   pen.list->AddRectFilled(from, {at(share), to.y}, colour);
   if (band == MarginBand::Past) hatch(pen, from, {at(share), to.y}, ink.shade);
@@ -102,7 +86,7 @@ void drawMarginBar(const Pen& pen, ImVec2 from, ImVec2 to, const Margin& margin)
 }
 
 float drawMargin(const Pen& pen, ImVec2 at, float width, const Margin& margin) {
-  const Ink& ink = inkOn(pen.background);
+  const Colours& ink = coloursOn(pen.background);
   MarginText text;
   describe(margin, text);
   std::array<char, 48> cost{};
@@ -116,7 +100,7 @@ float drawMargin(const Pen& pen, ImVec2 at, float width, const Margin& margin) {
   pen.shade(at, {at.x + used, at.y + pen.size});
   drawMarginBar(pen, {at.x, at.y + 0.2F * pen.size}, {at.x + barWidth, at.y + 0.95F * pen.size}, margin);
   const bool warned = margin.band() == MarginBand::Close || margin.band() == MarginBand::Past;
-  pen.write({at.x + barWidth + gap, at.y}, warned ? inkOf(margin.band(), ink) : ink.dim, text.data());
+  pen.write({at.x + barWidth + gap, at.y}, warned ? colourOf(margin.band(), pen.background) : ink.dim, text.data());
   if (fits) pen.write({at.x + barWidth + gap + words, at.y}, ink.dim, cost.data());
   return used;
 }
@@ -125,7 +109,7 @@ void TimeLine::draw(const Pen& pen, ImVec2 from, ImVec2 to, const Viewer& viewer
   time_ = viewer.timeline();
   shown_ = time_.newest > time_.first;
   if (!shown_) return;
-  const Ink& ink = inkOn(pen.background);
+  const Colours& ink = coloursOn(pen.background);
   std::array<char, 48> text{};
   const std::string_view first = writeSeconds(text, "%.2f s", time_.first);
   const float left = from.x + pen.extent(first).x + 0.6F * pen.size;
@@ -137,12 +121,12 @@ void TimeLine::draw(const Pen& pen, ImVec2 from, ImVec2 to, const Viewer& viewer
   const float middle = to.y - 0.5F * pen.size, thick = 0.12F * pen.size;
   const double share = std::clamp((time_.shown - time_.first) / (time_.newest - time_.first), 0.0, 1.0);
   const float handle = left + float(share) * (right - left);
-  pen.list->AddRectFilled({left, middle - thick}, {right, middle + thick}, ink.track);
+  pen.list->AddRectFilled({left, middle - thick}, {right, middle + thick}, ink.field);
   pen.list->AddRectFilled({left, middle - thick}, {handle, middle + thick}, ink.accent);
   if (viewer.state() == RunState::Frozen) {  // where it broke
     const float arm = 0.3F * pen.size, width = std::max(2.0F, pen.size / 8);
-    pen.list->AddLine({right - arm, middle - arm}, {right + arm, middle + arm}, ink.past, width);
-    pen.list->AddLine({right - arm, middle + arm}, {right + arm, middle - arm}, ink.past, width);
+    pen.list->AddLine({right - arm, middle - arm}, {right + arm, middle + arm}, pastColour(pen.background), width);
+    pen.list->AddLine({right - arm, middle + arm}, {right + arm, middle - arm}, pastColour(pen.background), width);
   }
   pen.list->AddCircleFilled({handle, middle}, 0.4F * pen.size, ink.accent, 24);
   from_ = {left, from.y}, to_ = {right, to.y};
@@ -194,7 +178,7 @@ float Buttons::width(const Pen& pen, const std::vector<Button>& buttons) {
 }
 
 void Buttons::draw(const Pen& pen, ImVec2 at, const std::vector<Button>& buttons, float width) {
-  const Ink& ink = inkOn(pen.background);
+  const Colours& ink = coloursOn(pen.background);
   places_.clear();
   ImVec2 next = at;
   for (const Button& button : buttons) {
@@ -202,7 +186,7 @@ void Buttons::draw(const Pen& pen, ImVec2 at, const std::vector<Button>& buttons
     if (next.x > at.x && next.x + wide > at.x + width) next = {at.x, next.y + (kButtonHeight + kButtonGap) * pen.size};
     const ImVec2 corner{next.x + wide, next.y + kButtonHeight * pen.size};
     const bool under = inside(ImGui::GetIO().MousePos, next, corner);
-    pen.list->AddRectFilled(next, corner, under ? ink.track : ink.shade, 0.35F * pen.size);
+    pen.list->AddRectFilled(next, corner, under ? ink.field : ink.shade, 0.35F * pen.size);
     pen.list->AddRect(next, corner, ink.accent, 0.35F * pen.size);
     const float y = next.y + 0.5F * (kButtonHeight - 1) * pen.size, x = next.x + 0.6F * pen.size;
     pen.write({x, y}, ink.accent, button.key);
