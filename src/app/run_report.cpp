@@ -11,6 +11,7 @@
 
 #include "app/cure.h"
 #include "app/json.h"
+#include "study/stability.h"
 #include "tyg/methods.h"
 
 namespace tyg {
@@ -73,6 +74,10 @@ std::string energyLines(const FinishedRun& run) {
                  now.drift, now.scale);
   }
   return text;
+}
+
+std::string firstToFail(const Scene& scene, const StepLimit& limit) {
+  return "the motion that fails first: " + describe(scene, limit);
 }
 
 }  // namespace
@@ -166,21 +171,25 @@ std::string failureAdvice(const FinishedRun& run) {
            simulation.alarmTime());
   if (method.adaptive) return what + line("Try --tolerance %.2g", simulation.scene().tolerance / 10) + ".";
   if (std::isnan(limit)) return what + line("No limit is predicted for it. Try --dt %.2g.", roundedDown(step / 2));
+  const StepLimit said = stepLimit(simulation.scene(), method, true);
   if (limit >= step) {
-    return what + line(
-                      "The predicted limit of the sheet at rest, %.4g s, was kept, but a cloth far from rest allows "
-                      "less. Try --dt %.2g.",
-                      limit, roundedDown(step / 2));
+    const bool certified = said.certified > 0 && said.certified < step;
+    return what +
+           line("The predicted limit of the sheet at rest, %.4g s, was kept, but a cloth far from rest allows less. ",
+                limit) +
+           (certified ? line("Try --dt %.2g, which holds in any deformation.", roundedDown(said.certified))
+                      : line("Try --dt %.2g.", roundedDown(step / 2)));
   }
   const Method* other = methodThatHolds(simulation.scene(), method, step);
   const std::string advice =
       other == nullptr ? "" : "--integrator " + name(*other) + ", predicted to hold with this step";
   if (limit == 0) {
-    return what + "No step is predicted to be stable for it here: it holds only where damping is strong enough. Try " +
+    return what + "No step is predicted to be stable for it here: it holds only where damping is strong enough; " +
+           firstToFail(simulation.scene(), said) + ". Try " +
            (advice.empty() ? "another method with a smaller step" : advice) + ".";
   }
-  return what + line("The predicted limit at rest is %.4g s. Try --dt %.2g", limit, roundedDown(0.9 * limit)) +
-         (advice.empty() ? "" : ", or " + advice) + ".";
+  return what + line("The predicted limit at rest is %.4g s; ", limit) + firstToFail(simulation.scene(), said) +
+         line(". Try --dt %.2g", roundedDown(0.9 * limit)) + (advice.empty() ? "" : ", or " + advice) + ".";
 }
 
 }  // namespace tyg

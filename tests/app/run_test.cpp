@@ -130,7 +130,7 @@ TEST(Run, VerboseSaysWhatIsSimulatedOnStandardErrorOnly) {
 TEST(Run, AFailureNamesMethodStepTimeLimitAndAWayOut) {
   const Outcome outcome = tyg("run curtain --integrator symplectic-euler --dt 0.004");
   EXPECT_EQ(outcome.code, 1);
-  for (const char* word : {"symplectic-euler", "0.004 s", "t = ", "0.002788 s", "--dt 0.0025"}) {
+  for (const char* word : {"symplectic-euler", "0.004 s", "t = ", "0.002788 s", "--dt 0.0025", "stripes in plane"}) {
     EXPECT_TRUE(holds(outcome.err, word)) << word << " is not in: " << outcome.err;
   }
 }
