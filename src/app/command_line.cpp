@@ -91,6 +91,7 @@ int parseAndRun(CLI::App& app, std::vector<std::string> words) {
   addPlotCommand(app, action);
   addChartCommand(app, action);
   addDietCommand(app, action);
+  addStabilityCommand(app, action);
   addListCommand(app, action);
   app.require_subcommand(1);
   try {

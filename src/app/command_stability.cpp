@@ -25,8 +25,10 @@ struct StabilityOptions {
 };
 
 constexpr const char* kExamples =
-    "Limits are measured by bisection on the energy alarm: 2000 steps of tiny motions around rest, and the scene's own\n"
-    "motion; each with the scene's damping and without. The chart draws every method's stability region with the scene's\n"
+    "Limits are measured by bisection on the energy alarm: 2000 steps of tiny motions around rest, and the scene's "
+    "own\n"
+    "motion; each with the scene's damping and without. The chart draws every method's stability region with the "
+    "scene's\n"
     "own modes in it at the step in question (--dt).\n\n"
     "Examples:\n"
     "  tyg stability curtain                               all methods, less than a minute\n"

@@ -28,7 +28,7 @@ void measure(StabilityCase& entry, const Scene& scene, const StabilityPlan& plan
   tries.threads = plan.threads;
   tries.observer = observer;
   // Where no step is stable, how long the run lasts decides, and digits mean nothing.
-  constexpr double kCoarse = 0.05, kInMotion = 0.01;
+  constexpr double kCoarse = 0.05, kInMotion = 0.005;
   tries.resolution = entry.limit.predicted > 0 ? tries.resolution : kCoarse;
   tries.steps = StabilityPlan::kSteps;
   entry.atRest = measuredLimit(linearRegime(scene), *entry.method, tries);
