@@ -129,14 +129,16 @@ class Script {
   /// Widens a panel to the roots, up to four times the region: beyond, the region would be a dot.
   static void fitRoots(Extent& extent, const std::vector<std::complex<double>>& roots, double h) {
     constexpr double kMost = 4, kMargin = 1.12;
-    const double region = std::max({extent.left, extent.top, 0.1});
-    double left = region, top = region;
+    const auto fitted = [](double region, double farthest) {
+      return kMargin * std::clamp(farthest, region, kMost * region);
+    };
+    double left = 0, top = 0;
     for (const std::complex<double>& mu : roots) {
       left = std::max(left, -h * mu.real());
       top = std::max(top, h * std::abs(mu.imag()));
     }
-    extent.left = kMargin * std::min(left, kMost * region);
-    extent.top = kMargin * std::min(top, std::max(region, extent.top));
+    extent.left = fitted(std::max(extent.left, 0.1), left);
+    extent.top = fitted(std::max(extent.top, 0.1), top);
   }
 
   void margins(double left, double right, double top, double bottom) {
