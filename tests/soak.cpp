@@ -105,7 +105,7 @@ class Soak {
     if (scene != viewer_.scene()) viewer_.use(scene);
     key('R'), frame();
     key(' ');
-    for (int k = 0; k < kFramesToMove; ++k) frame();
+    for (double k = 0; k * viewer_.speed() < kFramesToMove; ++k) frame();
     if (viewer_.state() == RunState::Running && !(viewer_.time() > 0)) return scene.name + " does not move";
     return {};
   }
