@@ -35,7 +35,7 @@ class Soak {
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-    panels_ = std::make_unique<Panels>(18.0F);
+    panels_ = std::make_unique<Panels>(18.0F, viewer_);
     viewer_.resize(size_, 0);
   }
   ~Soak() {
@@ -114,7 +114,7 @@ class Soak {
     const ImGuiIO& io = ImGui::GetIO();
     const bool press = event.kind == WindowEvent::Kind::Press;
     const bool taken = press && (isMouse(event.key) ? io.WantCaptureMouse : io.WantCaptureKeyboard);
-    if (!taken && !panels_->handle(event)) viewer_.handle(event);
+    if (!taken && !panels_->handle(event, viewer_)) viewer_.handle(event);
   }
   void key(KeyCode code) {
     send({.kind = WindowEvent::Kind::Press, .key = code, .control = chance(0.1), .shift = chance(0.1)});

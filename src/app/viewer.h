@@ -181,7 +181,7 @@ class Viewer {
   std::optional<Cure> cure_;
   double tickSeconds_ = 0;  ///< wall time of a tick, smoothed; 0 before the first
 
-  std::vector<float> positions_;
+  std::vector<float> positions_, next_;
   double time_ = 0, kinetic_ = 0;
   std::int64_t shownTick_ = 0;
   std::optional<double> stillSince_;         ///< simulated s; nothing while it moves

@@ -243,7 +243,11 @@ void Viewer::showState() {
   const double kinetic = simulation_.ledger().kinetic;
   const Status status = simulation_.status();
   if (status == Status::NotFinite || (status != Status::Ok && !breaking_)) return freezeOnAlarm();
-  simulation_.copyPositions(positions_);
+  next_.resize(positions_.size());
+  simulation_.copyPositions(next_);
+  // A run past its alarm leaves what a picture can hold before it leaves what can be computed with.
+  if (!std::ranges::all_of(next_, [](float x) { return std::isfinite(x); })) return freezeOnAlarm();
+  positions_.swap(next_);
   kinetic_ = kinetic;
   time_ = simulation_.time();
   shownTick_ = simulation_.ticks();
