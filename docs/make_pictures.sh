@@ -36,5 +36,11 @@ wait_for '$11 > 0 && $3 > 0.62'
 xdotool key space
 wait_for '$4 == "paused"'
 picture window.png
-xdotool mouseup 1 key Escape
+xdotool mouseup 1 mousemove 640 20 key space keydown bracketright
+wait_for '$6 > 0.0044'
+xdotool keyup bracketright
+wait_for '$4 == "frozen"'
+sleep 0.5 # for the frame to reach the screen
+picture failure.png
+xdotool key Escape
 wait "$viewer"

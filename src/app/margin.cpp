@@ -47,7 +47,8 @@ void MarginWatch::look(Simulation& simulation, const Clock& clock) {
   }
   margin_.step = simulation.dt();
   margin_.adaptive = method.adaptive && simulation.scene().tolerance > 0;
-  if (!margin_.adaptive && simulation.ticks() != lookedAt_) lookLive(simulation, clock);
+  const bool moves = simulation.status() == Status::Ok && simulation.ticks() != lookedAt_;
+  if (!margin_.adaptive && moves) lookLive(simulation, clock);
   margin_.limit = std::fmin(margin_.rest, live_);  // of a number and NaN, the number
 }
 

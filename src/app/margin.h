@@ -37,8 +37,8 @@ class MarginWatch {
  public:
   using Clock = std::function<double()>;  ///< s, from any start
 
-  /// Once a frame. Finding the live limit takes no more than a twentieth of the time: the larger a sheet, the fewer
-  /// frames look.
+  /// Once a frame; of a simulation past its alarm the limit stays as it was. Finding the live limit takes no more than
+  /// a twentieth of the time: the larger a sheet, the fewer frames look.
   void look(Simulation& simulation, const Clock& clock);
   /// Another simulation: its limit at rest is worked out at the next look.
   void restart() { method_ = nullptr; }

@@ -16,7 +16,8 @@ ImU32 pastColour(Background background) {
   return background == Background::Dark ? IM_COL32(240, 96, 40, 255) : IM_COL32(200, 66, 0, 255);
 }
 
-constexpr double kBarEnd = 1.25;  // of the limit
+constexpr double kBarEnd = 1.25;      // of the limit
+constexpr double kLeastCost = 0.001;  // that is told as a number: a share of the time
 
 ImU32 colourOf(MarginBand band, Background background) {
   if (band == MarginBand::Past) return pastColour(background);
@@ -90,8 +91,11 @@ float drawMargin(const Pen& pen, ImVec2 at, float width, const Margin& margin) {
   MarginText text;
   describe(margin, text);
   std::array<char, 48> cost{};
-  if (margin.cost > 0)
+  if (margin.cost >= kLeastCost) {
     std::snprintf(cost.data(), cost.size(), "  \u00b7  found in %.1f %% of the time", 100 * margin.cost);
+  } else if (margin.cost > 0) {
+    std::snprintf(cost.data(), cost.size(), "  \u00b7  found in under %.1f %% of the time", 100 * kLeastCost);
+  }
   const bool bar = margin.band() != MarginBand::None;
   const float barWidth = bar ? std::min(9 * pen.size, 0.3F * width) : 0, gap = bar ? 0.6F * pen.size : 0;
   const float words = pen.extent(text.data()).x, costs = pen.extent(cost.data()).x;

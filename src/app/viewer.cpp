@@ -276,7 +276,7 @@ void Viewer::frame() {
   camera_.move(motion(), static_cast<float>(seconds));
   repeatHeldKey();
   moveCloth(seconds);
-  if (simulation_.status() == Status::Ok) stepMargin_.look(simulation_, clock_);
+  stepMargin_.look(simulation_, clock_);
   if (!woken_) measure(seconds, clock_() - now);
   woken_ = false;
 }
