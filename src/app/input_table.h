@@ -18,7 +18,7 @@ enum class InputAction {
   Poke, Look, Approach,
   MoveForward, MoveLeft, MoveBack, MoveRight, MoveDown, MoveUp, FrameCloth,
   SmallerStep, LargerStep, SafeStep, HoldingMethod, RunOn,
-  OpenControl,
+  OpenControl, OpenGallery,
   KeepPicture, Film,
   ShowHelp, Leave,
   ChooseMethod,

@@ -1,0 +1,33 @@
+// A texture that can be drawn into like a framebuffer: small pictures for the window's panels.
+// Must not know: what it shows.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+namespace tyg {
+
+/// Belongs to the context that is current when it is made.
+class PictureTexture {
+ public:
+  /// False where no OpenGL is loaded: then none can be made.
+  static bool possible();
+  /// In pixels, 1..4096 each. Throws std::runtime_error where the driver cannot draw into such a texture.
+  PictureTexture(int width, int height);
+  ~PictureTexture();
+  PictureTexture(const PictureTexture&) = delete;
+  PictureTexture& operator=(const PictureTexture&) = delete;
+
+  /// Draws into it, smoothed as in the window; the framebuffer bound before is bound again afterwards.
+  void draw(const std::function<void()>& drawing);
+  [[nodiscard]] unsigned name() const;  ///< of the OpenGL texture; its first row is the lowest
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+
+ private:
+  struct Body;
+  int width_, height_;
+  std::unique_ptr<Body> body_;
+};
+
+}  // namespace tyg
