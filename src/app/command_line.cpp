@@ -92,6 +92,7 @@ int parseAndRun(CLI::App& app, std::vector<std::string> words) {
   addChartCommand(app, action);
   addDietCommand(app, action);
   addStabilityCommand(app, action);
+  addAdviseCommand(app, action);
   addListCommand(app, action);
   app.require_subcommand(1);
   try {

@@ -38,6 +38,7 @@ void addPlotCommand(CLI::App& app, Action& action);
 void addChartCommand(CLI::App& app, Action& action);
 void addDietCommand(CLI::App& app, Action& action);
 void addStabilityCommand(CLI::App& app, Action& action);
+void addAdviseCommand(CLI::App& app, Action& action);
 void addListCommand(CLI::App& app, Action& action);
 
 }  // namespace tyg

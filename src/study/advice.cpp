@@ -84,6 +84,7 @@ class Adviser {
     plan.threads = advice_.threads;
     plan.cost = plan_.cost;
     plan.mostSeconds = plan_.mostSeconds;
+    plan.allSeconds = plan_.allSeconds;
     const SettingSearch* runs = nullptr;
     plan.observer = [&] {
       const double share = 1 - 1 / (1 + 0.1 * (runs == nullptr ? 0 : runs->runs()));
@@ -92,7 +93,7 @@ class Adviser {
     SettingSearch search(scene_, truth, std::move(plan));
     runs = &search;
     choose(search);
-    if (advice_.promise && !search.stopped()) {
+    if (advice_.promise && (advice_.met || plan_.request.budget > 0) && !search.stopped()) {
       const double better = 0.1 * (plan_.request.error > 0 ? plan_.request.error : advice_.promise->error);
       advice_.tenTimesBetter = search.cheapestWithin(kErrorMargin * better);
     }
@@ -124,9 +125,13 @@ class Adviser {
     advice_.achieved = motionError(run, reference.motion).rms;
     advice_.floor = reference.floorOf(promise.scene.precision);
     const double cost = static_cast<double>(workOf(method, run)) * plan_.cost(promise.scene, advice_.threads);
-    advice_.held = plan_.request.error > 0
-                       ? advice_.achieved <= (advice_.met ? plan_.request.error : promise.error * 1.1)
-                       : frameSeconds(cost, scene_.duration) <= plan_.request.budget;
+    constexpr double kNear = 1.1;  // of what was found nearest to a request that cannot be met
+    if (plan_.request.error > 0) {
+      advice_.held = advice_.achieved <= (advice_.met ? plan_.request.error : kNear * promise.error);
+    } else {
+      const double asked = advice_.met ? plan_.request.budget : kNear * frameSeconds(promise.seconds, scene_.duration);
+      advice_.held = frameSeconds(cost, scene_.duration) <= asked;
+    }
     constexpr int kRepeats = 3;
     for (int k = 0; k < kRepeats && !advice_.stopped; ++k) time(promise.scene, method);
   }
@@ -134,9 +139,9 @@ class Adviser {
   void time(const Scene& scene, const Method& method) {
     Simulation simulation(scene, method, {.threads = advice_.threads});
     simulation.observe([&] { return goesOn(fraction_); });
-    const double start = plan_.clock();
+    const double start = plan_.clock(advice_.threads);
     simulation.advanceTo(scene.duration);
-    advice_.measured = std::fmin(advice_.measured, plan_.clock() - start);
+    advice_.measured = std::fmin(advice_.measured, plan_.clock(advice_.threads) - start);
   }
 
   const Scene& scene_;

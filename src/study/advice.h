@@ -42,8 +42,8 @@ struct AdvicePlan {
   std::vector<Precision> precisions{Precision::Double, Precision::Float};
   std::vector<int> threads{1};  ///< to choose from
   UnitCost cost;
-  double mostSeconds = 20;        ///< no run of the study may be expected to cost more
-  std::function<double()> clock;  ///< s, for `measured` alone
+  double mostSeconds = 3, allSeconds = 15;  ///< as of SearchPlan
+  CostMeter::Clock clock;                   ///< s, for `measured` alone
   /// Gets the fraction done now and then; false stops.
   std::function<bool(double fraction)> observer;
 };

@@ -20,6 +20,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kAim = 0.8;
 /// A gain in cost below this is not worth another run.
 constexpr double kWorthwhile = 0.93;
+/// Costs this close are the same: of such settings the most exact one is taken.
+constexpr double kSameCost = 1.1;
 constexpr int kMostTries = 14;  // of one method in one precision
 
 }  // namespace
@@ -105,7 +107,7 @@ SettingSearch::~SettingSearch() = default;
 std::vector<SettingSearch::Candidate> SettingSearch::candidates() const {
   std::vector<Candidate> all;
   for (const Method* method : plan_.methods) {
-    if (!takes(*method, scene_)) continue;
+    if (!advisable(*method) || !takes(*method, scene_)) continue;
     for (const Precision precision : plan_.precisions) {
       Candidate& candidate = all.emplace_back(Candidate{method, scene_});
       candidate.scene.integrator = method->name;
@@ -127,6 +129,15 @@ std::vector<SettingSearch::Candidate> SettingSearch::candidates() const {
     }
   }
   return all;
+}
+
+double SettingSearch::mostSecondsFor(const std::vector<Candidate>& all) const {
+  constexpr double kOfTheCheapest = 4;
+  double cheapest = kInfinity;
+  for (const Candidate& candidate : all) {
+    if (candidate.perStep > 0) cheapest = std::min(cheapest, candidate.expectedAt(candidate.loosest));
+  }
+  return std::isfinite(cheapest) ? std::max(plan_.mostSeconds, kOfTheCheapest * cheapest) : plan_.mostSeconds;
 }
 
 const Trial& SettingSearch::tryOut(const Candidate& candidate, double knob) {
@@ -159,16 +170,26 @@ std::optional<Trial> SettingSearch::cheapestWithin(double error) {
     candidate.aim(candidate.method->adaptive ? error : candidate.loosest);
     if (candidate.method->adaptive) candidate.expected = 0;  // unknown until its first run
   }
-  std::optional<Trial> best;
-  while (!stopped_) {
+  double least = kInfinity, spent = 0;  // s: the cheapest so far, all so far
+  const double mostSeconds = mostSecondsFor(all), allSeconds = std::max(plan_.allSeconds, 6 * mostSeconds);
+  while (!all.empty() && !stopped_ && spent < allSeconds) {
     Candidate& candidate = *std::ranges::min_element(all, {}, &Candidate::expected);
-    const double most = best ? kWorthwhile * best->seconds : plan_.mostSeconds;
-    if (candidate.next == 0 || candidate.expected > most) break;
+    if (candidate.next == 0 || candidate.expected > std::min(mostSeconds, kSameCost * least)) break;
+    if (candidate.tries > 0 && candidate.expected > kWorthwhile * least) {
+      candidate.expected = kInfinity;
+      continue;
+    }
     const double knob = candidate.next;
     const Trial& trial = tryOut(candidate, knob);
     if (stopped_) break;
-    if (trial.error <= error && (!best || trial.seconds < best->seconds)) best = trial;
+    spent += trial.seconds;
+    if (trial.error <= error) least = std::min(least, trial.seconds);
     candidate.judge(knob, trial, error);
+  }
+  std::optional<Trial> best;
+  for (const auto& [key, trial] : trials_) {
+    const bool counts = trial.error <= error && trial.seconds <= kSameCost * least;
+    if (counts && (!best || trial.error < best->error)) best = trial;
   }
   return best;
 }
@@ -177,6 +198,7 @@ std::optional<Trial> SettingSearch::mostExactWithin(double seconds) {
   constexpr double kScreen = 16;  // a first run of each costs this much less
   constexpr std::size_t kFinalists = 4;
   std::vector<Candidate> all = candidates();
+  const double mostSeconds = mostSecondsFor(all);
   std::optional<Trial> best;
   const auto judge = [&](const Trial& trial) {
     const bool counts = trial.seconds <= seconds && std::isfinite(trial.error);
@@ -194,7 +216,7 @@ std::optional<Trial> SettingSearch::mostExactWithin(double seconds) {
   };
   for (Candidate& candidate : all) {
     const double knob = payable(candidate, seconds / kScreen);
-    if (candidate.expectedAt(knob) > 2 * plan_.mostSeconds) continue;
+    if (candidate.expectedAt(knob) > mostSeconds) continue;
     const Trial& trial = tryOut(candidate, knob);
     if (stopped_) return best;
     candidate.learn(knob, trial);
@@ -206,7 +228,7 @@ std::optional<Trial> SettingSearch::mostExactWithin(double seconds) {
   for (std::size_t k = 0; k < std::min(kFinalists, all.size()); ++k) {
     constexpr int kRefinements = 2;  // an adaptive method's cost is only known afterwards
     for (int turn = 0; turn < kRefinements; ++turn) {
-      const double knob = payable(all[k], std::min(seconds, plan_.mostSeconds));
+      const double knob = payable(all[k], std::min(seconds, mostSeconds));
       const Trial& trial = tryOut(all[k], knob);
       if (stopped_) return best;
       all[k].learn(knob, trial);

@@ -27,7 +27,8 @@ struct SearchPlan {
   std::vector<Precision> precisions{Precision::Double, Precision::Float};
   int threads = 1;
   UnitCost cost;
-  double mostSeconds = 20;  ///< no run that is expected to cost more is tried
+  double mostSeconds = 3;  ///< no run that is expected to cost more is tried; at least four of the cheapest run's cost
+  double allSeconds = 15;  ///< of all runs of one search; at least six of the dearest run's
   /// Called now and then; false stops.
   std::function<bool()> observer;
 };
@@ -35,14 +36,15 @@ struct SearchPlan {
 /// Runs are kept: a second search on the same motion starts from what the first one learnt.
 class SettingSearch {
  public:
-  /// `truth` is what errors are measured against; both must outlive this object. Methods that refuse the scene are left
-  /// out.
+  /// `truth` is what errors are measured against; both must outlive this object. Methods that refuse the scene, and
+  /// those that no study may recommend, are left out.
   SettingSearch(const Scene& scene, const SampledMotion& truth, SearchPlan plan);
   ~SettingSearch();
   SettingSearch(const SettingSearch&) = delete;
   SettingSearch& operator=(const SettingSearch&) = delete;
 
-  /// The cheapest setting found whose E is at most `error` m. Nothing where there is none that mostSeconds can pay.
+  /// The cheapest setting found whose E is at most `error` m; of those that cost up to a tenth more, the most exact
+  /// one. Nothing where there is none that mostSeconds can pay.
   std::optional<Trial> cheapestWithin(double error);
   /// The setting of least E found whose cost is at most `seconds`. Nothing where every stable run costs more.
   std::optional<Trial> mostExactWithin(double seconds);
@@ -56,6 +58,7 @@ class SettingSearch {
  private:
   struct Candidate;
   [[nodiscard]] std::vector<Candidate> candidates() const;
+  [[nodiscard]] double mostSecondsFor(const std::vector<Candidate>& all) const;
   /// One run of a candidate at a knob: a step (s) or a tolerance (m).
   const Trial& tryOut(const Candidate& candidate, double knob);
 

@@ -1,0 +1,124 @@
+// Advice on small scenes, with work priced by the particle, not by a clock.
+#include "study/advice.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "study/stability.h"
+#include "test_systems.h"
+#include "tyg/methods.h"
+
+namespace tyg::test {
+namespace {
+
+double plainCost(const Scene& scene, int threads) {
+  const double solve = scene.integrator == "backward-euler" ? 20 : scene.integrator == "imex" ? 5 : 1;
+  return 1e-8 * solve * scene.columns * scene.rows * (scene.precision == Precision::Float ? 0.6 : 1) / threads;
+}
+
+AdvicePlan planFor(const Request& request) {
+  AdvicePlan plan;
+  plan.request = request;
+  for (const Method& method : methods()) plan.methods.push_back(&method);
+  plan.cost = plainCost;
+  plan.mostSeconds = 0.005, plan.allSeconds = 0.03;  // s of this price; some tens of thousands of steps
+  plan.clock = [now = 0.0](int) mutable { return now += 1e-3; };
+  return plan;
+}
+
+Scene small() {
+  Scene scene = softSheet(Damping::Relative);
+  scene.duration = 0.5;
+  return scene;
+}
+
+TEST(Advice, APromisedErrorHoldsAgainstTheReference) {
+  for (const double error : {1e-2, 1e-4, 1e-7}) {
+    const Advice advice = adviseOn(small(), planFor({.error = error}));
+    ASSERT_TRUE(advice.met && advice.proven) << error;
+    EXPECT_TRUE(advice.held) << error << " " << advice.achieved;
+    EXPECT_LE(advice.achieved, error);
+    EXPECT_GT(advice.measured, 0);
+  }
+}
+
+TEST(Advice, ItHoldsOnRandomScenesOfFixedSeeds) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    Numbers numbers(seed);
+    Scene scene = randomScene(3, 4, numbers);
+    scene.duration = 0.2;
+    scene.drag = std::fmin(scene.drag, 0.1);
+    const Request request{.error = 1e-3 * makeSheet(scene).size()};
+    const Advice advice = adviseOn(scene, planFor(request));
+    EXPECT_TRUE(advice.held) << "seed " << seed << ": " << advice.achieved << " m of " << request.error;
+  }
+}
+
+TEST(Advice, ASmallerErrorCostsMoreAndTenTimesBetterIsPriced) {
+  const Advice rough = quickAdvice(small(), planFor({.error = 1e-3})),
+               fine = quickAdvice(small(), planFor({.error = 1e-8}));
+  ASSERT_TRUE(rough.met && fine.met);
+  EXPECT_LT(rough.promise->seconds, fine.promise->seconds);
+  ASSERT_TRUE(fine.tenTimesBetter);
+  EXPECT_LE(fine.tenTimesBetter->error, 1e-9);
+  EXPECT_GE(fine.tenTimesBetter->seconds, fine.promise->seconds);
+}
+
+TEST(Advice, StaysInsideTheMethodsLimit) {
+  Scene scene = small();
+  scene.structural.ks = 3e3;
+  const Advice advice = quickAdvice(scene, planFor({.error = 0.05}));
+  ASSERT_TRUE(advice.met);
+  if (!findMethod(advice.promise->scene.integrator).adaptive && advice.limit > 0) {
+    EXPECT_LE(advice.promise->scene.dt, 0.96 * advice.limit);
+  }
+  EXPECT_EQ(advice.promise->status, Status::Ok);
+}
+
+TEST(Advice, ABudgetIsKeptAndTheRestOfItBuysExactness) {
+  Scene scene = small();
+  const double step = plainCost(scene, 1);
+  const Advice poor = adviseOn(scene, planFor({.budget = 2 * step})),
+               rich = adviseOn(scene, planFor({.budget = 40 * step}));
+  for (const Advice* advice : {&poor, &rich}) {
+    ASSERT_TRUE(advice->met);
+    EXPECT_TRUE(advice->held);
+    EXPECT_LE(frameSeconds(advice->promise->seconds, scene.duration), advice->request.budget);
+  }
+  EXPECT_LT(rich.promise->error, 0.01 * poor.promise->error);
+}
+
+TEST(Advice, WhatCannotBeMetIsAnsweredWithTheNearest) {
+  const Advice exact = quickAdvice(small(), planFor({.error = 1e-19}));
+  EXPECT_FALSE(exact.met);
+  ASSERT_TRUE(exact.promise);
+  EXPECT_LT(exact.promise->error, 1e-8);
+  const Advice cheap = quickAdvice(small(), planFor({.budget = 1e-12}));
+  EXPECT_FALSE(cheap.met);
+  ASSERT_TRUE(cheap.promise);
+  EXPECT_GT(frameSeconds(cheap.promise->seconds, small().duration), 1e-12);
+}
+
+TEST(Advice, ThreadsAreTakenOnlyWhereTheyPay) {
+  AdvicePlan plan = planFor({.error = 1e-3});
+  plan.threads = {1, 2};
+  EXPECT_EQ(quickAdvice(small(), plan).threads, 2);
+  plan.cost = [](const Scene& scene, int threads) { return plainCost(scene, 1) * (threads == 1 ? 1 : 0.95); };
+  EXPECT_EQ(quickAdvice(small(), plan).threads, 1) << "a gain of a twentieth is none";
+}
+
+TEST(Advice, AnObserverThatSaysStopEndsIt) {
+  AdvicePlan plan = planFor({.error = 1e-6});
+  plan.observer = [looks = 0](double) mutable { return ++looks < 5; };
+  EXPECT_TRUE(adviseOn(small(), plan).stopped);
+}
+
+TEST(SettingSearch, NeverNamesTheMethodThatShowsAMistake) {
+  AdvicePlan plan = planFor({.error = 0.05});
+  plan.methods = {&findMethod("report-rk4")};
+  EXPECT_FALSE(quickAdvice(small(), plan).promise);
+}
+
+}  // namespace
+}  // namespace tyg::test
