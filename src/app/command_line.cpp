@@ -90,8 +90,8 @@ int parseAndRun(CLI::App& app, std::vector<std::string> words) {
   addRenderCommand(app, action);
   addPlotCommand(app, action);
   addChartCommand(app, action);
-  addDietCommand(app, action);
   addStabilityCommand(app, action);
+  addDietCommand(app, action);
   addAdviseCommand(app, action);
   addListCommand(app, action);
   app.require_subcommand(1);
