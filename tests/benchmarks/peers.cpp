@@ -77,12 +77,14 @@ void SpringList::operator()(const double* y, double* dy) const {
 
 std::vector<Vec3> SpringList::positionsOf(const std::vector<double>& y) {
   std::vector<Vec3> positions;
+  positions.reserve(y.size() / 6);
   for (std::size_t p = 0; p < y.size(); p += 6) positions.push_back({y[p], y[p + 1], y[p + 2]});
   return positions;
 }
 
 std::vector<Vec3> positionsOf(const Simulation& simulation) {
   std::vector<Vec3> positions;
+  positions.reserve(std::size_t(simulation.sheet().count()));
   for (int particle = 0; particle < simulation.sheet().count(); ++particle) {
     positions.push_back(simulation.position(particle));
   }

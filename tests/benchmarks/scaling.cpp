@@ -40,7 +40,7 @@ void writeAndDraw(const Options& options, const std::string& name, const std::st
   std::ostringstream whole;
   whole << "set datafile separator ','\n"
            "do for [kind in 'svg pngcairo'] {\n"
-           "  set terminal kind size (kind eq 'svg' ? 1300 : 1300), 560 font ',13' background rgb 'white'\n"
+           "  set terminal kind size 1300, 560 font ',13' background rgb 'white'\n"
         << "  set output '" << name << "'.(kind eq 'svg' ? '.svg' : '.png')\n"
         << script << "  unset output\n}\n";
   writeWholeFile(options.out / (name + ".gp"), whole.str());

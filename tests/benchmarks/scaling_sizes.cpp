@@ -66,8 +66,8 @@ struct Size {
 };
 std::vector<Size> sizesOf(const Options& options) {
   if (options.quick) return {{10, 200}, {32, 50}, {128, 10}, {512, 3}};
-  return {{10, 2000}, {20, 1000}, {32, 500}, {48, 300}, {64, 200}, {96, 100}, {128, 60},
-          {192, 40},  {256, 25},  {384, 15}, {512, 12}, {1024, 5}, {2048, 3}};
+  return {{10, 500}, {20, 300}, {32, 150}, {48, 80}, {64, 60},  {96, 40}, {128, 25},
+          {192, 16}, {256, 12}, {384, 8},  {512, 6}, {1024, 4}, {2048, 3}};
 }
 
 /// The smallest size from which on two threads are never slower, or 0.
@@ -101,8 +101,8 @@ std::array<double, 4> timesOf(const Size& size) {
 
 constexpr const char* kChart = R"(
   set multiplot layout 1,2 margins 0.07,0.98,0.13,0.9 spacing 0.09
-  set logscale x; set grid lc rgb '#dddddd' lt 1; set key left bottom; set xtics 10,10,10000000 format '10^{%T}'
-  set xlabel 'particles'; set yrange [0:*]; set title 'leapfrog, alarm included: ns per particle and step'
+  set logscale x; set grid lc rgb '#dddddd' lt 1; set key right top; set xtics 10,10,10000000 format '10^{%T}'
+  set xlabel 'particles'; set yrange [0:20]; set title 'leapfrog, alarm included: ns per particle and step'
   plot data using 1:2 skip 1 w lp pt 6 lw 2 lc rgb '#0072B2' t 'float, 1 thread', \
        '' using 1:3 skip 1 w lp pt 7 lw 2 lc rgb '#0072B2' dt 2 t 'float, 2 threads', \
        '' using 1:4 skip 1 w lp pt 8 lw 2 lc rgb '#D55E00' t 'double, 1 thread', \
