@@ -95,7 +95,7 @@ bool Hud::takes(const WindowEvent& event) const {
   const ImGuiIO& io = ImGui::GetIO();
   switch (event.kind) {
     case WindowEvent::Kind::Press:
-      return isMouse(event.key) ? io.WantCaptureMouse : io.WantCaptureKeyboard;
+      return !isMouse(event.key) && io.WantCaptureKeyboard;  // where the mouse is, the panels know better
     case WindowEvent::Kind::Scroll:
       return io.WantCaptureMouse;
     default:

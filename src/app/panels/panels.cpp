@@ -24,19 +24,24 @@ std::size_t placeOf(InputAction action) {
 
 }  // namespace
 
-bool Panels::covers(const WindowEvent& event) const {
-  if (event.kind != WindowEvent::Kind::Press || !isMouse(event.key)) return false;
+bool Panels::covers(double x, double y) const {
   const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-  const double x = event.x / std::max(scale.x, 0.01F), y = event.y / std::max(scale.y, 0.01F);
+  x /= std::max(scale.x, 0.01F), y /= std::max(scale.y, 0.01F);
   return std::ranges::any_of(order_, [&](std::size_t which) {
     const Place& place = places_[which];
     return x >= place.shownX && x < place.shownX + place.width && y >= place.shownY && y < place.shownY + place.height;
   });
 }
 
+/// ImGui's own word for it comes a frame late: a quick hand has moved to a panel, or away from it, since.
+bool Panels::takesMouse(const WindowEvent& event) const {
+  constexpr int kAny = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
+  return covers(event.x, event.y) || ImGui::IsPopupOpen("", kAny) || ImGui::IsAnyItemActive();
+}
+
 bool Panels::handle(const WindowEvent& event, Viewer& viewer) {
-  if (covers(event)) return true;
-  if (event.kind != WindowEvent::Kind::Press || isMouse(event.key)) return false;
+  if (event.kind != WindowEvent::Kind::Press) return false;
+  if (isMouse(event.key)) return takesMouse(event);
   if (event.control) {
     handleControl(event, viewer);
     return true;

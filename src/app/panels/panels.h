@@ -16,12 +16,10 @@ class Panels {
   /// `size`: of the text, pixels. An ImGui context exists as long as this lives.
   Panels(float size, const Viewer& viewer) : size_(size), edits_(viewer), places_(panelTable().size()) {}
 
-  /// What the person did, after ImGui had its choice: a panel's key opens or closes it, Esc closes the one opened last,
-  /// Ctrl+Z undoes the last change of the scene, Ctrl+Y and Ctrl+Shift+Z do it again.
-  /// True where that was all; false where the event is for the viewer.
+  /// What the person did, but for keys that go to a text field. A press of the mouse on a panel is ImGui's; a panel's
+  /// key opens or closes it, Esc closes the one opened last, Ctrl+Z undoes the last change of the scene, Ctrl+Y and
+  /// Ctrl+Shift+Z do it again. True where that was all; false where the event is for the viewer.
   bool handle(const WindowEvent& event, Viewer& viewer);
-  /// A press of the mouse on a panel. ImGui knows that only after the frame that follows the mouse there.
-  [[nodiscard]] bool covers(const WindowEvent& event) const;
   void toggle(InputAction action);
   [[nodiscard]] bool isOpen(InputAction action) const;
 
@@ -42,6 +40,8 @@ class Panels {
     float x = 0, y = 0;                                   ///< where it was placed, ImGui's units
     float shownX = 0, shownY = 0, width = 0, height = 0;  ///< as last drawn; 0 before
   };
+  [[nodiscard]] bool covers(double x, double y) const;
+  [[nodiscard]] bool takesMouse(const WindowEvent& event) const;
   void setOpen(std::size_t which, bool open);
   void closeLast();
   void handleControl(const WindowEvent& event, Viewer& viewer);

@@ -1,0 +1,61 @@
+# What the scripts that drive the real window share: a virtual screen, the log's newest line, waiting for what it says.
+# To be sourced, with tyg, backend and limit (seconds for everything) set; starts the script again under Xvfb.
+
+for tool in xvfb-run xauth xdotool; do
+  command -v "$tool" >/dev/null || { echo "missing: $tool (.ci/setup installs it)" && exit 1; }
+done
+if [[ -z ${TYG_DRIVEN:-} ]]; then
+  export TYG_DRIVEN=1
+  exec timeout --kill-after=5 "$limit" xvfb-run -a -s "-screen 0 1280x720x24 -nolisten tcp" "$0" "$@"
+fi
+
+work=$(mktemp -d)
+log=$work/view.csv record=$work/record.csv
+cleanup() {
+  if [[ -n ${viewer:-} ]]; then kill "$viewer" 2>/dev/null || true; fi
+  rm -rf "$work"
+}
+trap cleanup EXIT
+
+fail() {
+  echo "$backend: $*; the log ends with:"
+  tail -n 3 "$log" || true
+  exit 1
+}
+
+# The newest whole line of the log, as shell variables named after its columns.
+look() {
+  local line
+  line=$(tail -n 2 "$log" 2>/dev/null | grep ',.*,.*,.*,.*,.*,.*,.*,.*,.*,.*,.*,' | grep -v '^frame' | tail -n 1) || return 1
+  IFS=, read -r frame _ sim_s state integrator dt eye_x eye_y eye_z picked pushes kinetic_J alarm <<<"$line"
+  [[ -n ${alarm:-} ]]
+}
+# Arithmetic on those variables: `is "$sim_s > 0"`.
+is() { awk "BEGIN { exit !($1) }"; }
+# until_true WHAT CONDITION...: polls until the condition, a command, holds for the newest line.
+until_true() {
+  local what=$1
+  shift
+  for ((turn = 0; turn < 600; ++turn)); do
+    kill -0 "$viewer" 2>/dev/null || fail "the viewer ended while waiting: $what"
+    if look && "$@"; then return; fi
+    sleep 0.05
+  done
+  fail "never happened: $what"
+}
+in_state() { [[ $state == "$1" ]]; }
+uses() { [[ $integrator == "$1" ]]; }
+later_than() { is "$sim_s > $1"; }
+at_time() { is "($sim_s - $1)^2 < 1e-18"; }
+pushed() { [[ $pushes == "$1" ]]; }
+frames_since() { ((frame >= $1)); }
+eye_moved() { is "($eye_x - $old_x)^2 + ($eye_y - $old_y)^2 + ($eye_z - $old_z)^2 > 1e-8"; }
+step_past() { is "$dt > $1"; }
+step_below() { is "$dt < $1"; }
+earlier_than() { is "$sim_s < $1"; }
+stands_still() { [[ $state == running ]] && is "$sim_s == ${seen:--1}" || { seen=$sim_s && return 1; }; }
+press() { xdotool key --clearmodifiers "$1"; }
+few_frames() {
+  look
+  until_true "three more frames" frames_since "$((frame + 3))"
+}
