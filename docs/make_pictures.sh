@@ -10,6 +10,9 @@ if [[ ${TYG_PICTURES:-} != window ]]; then
   "$tyg" plot four-particles --out four-particles >/dev/null
   mv four-particles/plot.png four-particles.png
   rm -r four-particles
+  "$tyg" stability curtain --out stability >/dev/null
+  mv stability/stability.png stability-curtain.png
+  rm -r stability
   TYG_PICTURES=window exec xvfb-run -a -s "-screen 0 1280x720x24 -nolisten tcp" "$here/make_pictures.sh" "$tyg"
 fi
 

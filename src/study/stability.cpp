@@ -147,7 +147,8 @@ StepLimit stepLimit(const Scene& scene, const Method& method, bool quick) {
   const bool isHeldByDamping = method.stableStep(limit.mode.w2, 0) == 0;
   const bool known = scene.columns * scene.rows <= RestSpectrum::kMostParticles && (small || !isHeldByDamping);
   if (known && !quick && limit.predicted > 0) {
-    limit.predicted = finiteOrNone(finiteSheetLimit(scene, method, limit.mode));
+    const double own = finiteSheetLimit(scene, method, limit.mode);
+    limit.predicted = finiteOrNone(std::max(StepLimit::kBelowMeeting * own, std::min(own, limit.predicted)));
   }
   return limit;
 }

@@ -25,6 +25,10 @@ double certifiedLimit(const Scene& scene, const Method& method);
 
 /// What limits a method in a scene, and which motion fails first.
 struct StepLimit {
+  /// Of the finite sheet's own limit: at that limit two roots of the limiting mode meet, and the mode grows step by
+  /// step though neither root does; this far below, it beats but does not grow.
+  static constexpr double kBelowMeeting = 0.998;
+
   double predicted = 0;   ///< s: of the finite sheet at rest with its pins, the unbounded lattice's for large sheets; 0
                           ///< and NaN as for restLatticeLimit
   double certified = 0;   ///< s: of certifiedLimit

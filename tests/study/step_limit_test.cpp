@@ -25,9 +25,11 @@ Scene randomCloth(Numbers& numbers, double mostDamping) {
 
 TEST(StepLimit, OfOneOscillatorIsItsClosedForm) {
   const double w2 = 100, d = 3;
-  const Scene scene = oscillator(w2, d);
-  const auto predicted = [&](const char* name) { return stepLimit(scene, findMethod(name)).predicted; };
-  EXPECT_NEAR(predicted("explicit-euler"), d / w2, kExact * d);
+  const Scene scene = oscillator(w2, d);  // its lattice, a chain, allows about half as much
+  const auto predicted = [&](const char* name) {
+    return stepLimit(scene, findMethod(name)).predicted / StepLimit::kBelowMeeting;
+  };
+  EXPECT_NEAR(stepLimit(scene, findMethod("explicit-euler")).predicted, d / w2, kExact * d);
   const double h = predicted("symplectic-euler"), g = predicted("leapfrog");
   EXPECT_NEAR(h * h * w2 + 2 * h * d, 4, 4 * kExact);
   EXPECT_NEAR(g * g * w2 + 4 * g * d, 4, 4 * kExact);
