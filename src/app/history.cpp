@@ -23,8 +23,8 @@ void History::begin(const Simulation& simulation) {
 
 void History::follow(const Simulation& simulation) {
   const double now = simulation.time();
-  const auto room = static_cast<double>(mostBytes_ / std::max<std::size_t>(1, copies_.back().bytes()));
-  const double spacing = std::max(kSpacing, kSeconds / std::max(1.0, room - 2));
+  const double room = double(mostBytes_) / std::max(1.0, double(copies_.back().bytes()));
+  const double spacing = std::max(kSpacing, kSeconds / std::max(1.0, std::floor(room) - 2));
   if (simulation.status() != Status::Ok || now < copies_.back().time() + spacing) return;
   copies_.push_back(simulation.save());
   while (copies_[1].time() <= now - kSeconds) copies_.pop_front();

@@ -22,14 +22,14 @@ void describeSpeed(double speed, std::array<char, 32>& text) {
 
 std::vector<Buttons::Button> waysOut(const Viewer& viewer) {
   std::vector<Buttons::Button> buttons;
-  const bool finite = viewer.simulation().status() != Status::NotFinite;
+  const bool canRunOn = viewer.simulation().status() != Status::NotFinite && !viewer.breaking();
   if (const auto& cure = viewer.cure()) {
     std::array<char, 64> text{};
     std::snprintf(text.data(), text.size(), "a step of %.3g ms", 1e3 * cure->step);
     if (cure->step > 0) buttons.push_back({"V", text.data(), InputAction::SafeStep});
     if (cure->method != nullptr) buttons.push_back({"M", std::string(cure->method->name), InputAction::HoldingMethod});
     buttons.push_back({"J", "see it again, slowly", InputAction::Again});
-    if (finite) buttons.push_back({"Enter", "run on, let it break", InputAction::RunOn});
+    if (canRunOn) buttons.push_back({"Enter", "run on, let it break", InputAction::RunOn});
   }
   buttons.push_back({",", "a step back", InputAction::StepBack});
   buttons.push_back({"R", "restart", InputAction::Restart});

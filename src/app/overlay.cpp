@@ -28,7 +28,9 @@ ImU32 colourOf(MarginBand band, Background background) {
 void hatch(const Pen& pen, ImVec2 from, ImVec2 to, ImU32 colour) {
   const float height = to.y - from.y, stride = 0.3F * pen.size;
   pen.list->PushClipRect(from, to, true);
-  for (float x = from.x - height; x < to.x; x += stride) {
+  const int lines = int((to.x - from.x + height) / stride) + 1;
+  for (int line = 0; line < lines; ++line) {
+    const float x = from.x - height + float(line) * stride;
     pen.list->AddLine({x, to.y}, {x + height, from.y}, colour, std::max(1.0F, pen.size / 14));
   }
   pen.list->PopClipRect();

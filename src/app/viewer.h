@@ -164,19 +164,23 @@ class Viewer {
   Clock clock_;
   const Method* method_;
   Simulation simulation_;
-  int sheetsSoFar_ = 1;
   FrameClock frameClock_;
   History history_;
   MarginWatch stepMargin_;
   RunState state_ = RunState::Waiting;
+  int sheetsSoFar_ = 1;
+  int margin_ = 0;
+  int picked_ = -1, pushes_ = 0;
   bool leaving_ = false;
-  double lastFrame_ = 0;  ///< s, of the clock
-  bool woken_ = false;    ///< this frame ends an idle time
+  bool woken_ = false;      ///< this frame ends an idle time
+  bool seeking_ = false;    ///< on the way to history_.target()
+  bool breaking_ = false;   ///< runs on past its alarm
+  bool replaying_ = false;  ///< the past is shown again, slowly
+  bool framed_ = false;
+  bool help_ = true;
 
-  bool seeking_ = false;           ///< on the way to history_.target()
-  std::function<void()> arrived_;  ///< done there
-  bool breaking_ = false;          ///< runs on past its alarm
-  bool replaying_ = false;         ///< the past is shown again, slowly
+  double lastFrame_ = 0;           ///< s, of the clock
+  std::function<void()> arrived_;  ///< done at history_.target()
   double speedBefore_ = 1;         ///< that a replay goes back to
   std::optional<Cure> cure_;
   double tickSeconds_ = 0;  ///< wall time of a tick, smoothed; 0 before the first
@@ -195,17 +199,13 @@ class Viewer {
   Camera camera_;
   std::vector<glm::vec3> room_;  ///< to frame before anything moved
   Extent pixels_;
-  int margin_ = 0;
-  bool framed_ = false;
   glm::vec2 cursor_{0};
   std::array<bool, kInputActions> held_{};
   std::optional<Input> repeated_;  ///< its key is held down and acts again ...
   double repeatAt_ = 0;            ///< ... at this time, s, of the clock
 
   DrawOptions draw_;
-  bool help_ = true;
 
-  int picked_ = -1, pushes_ = 0;
   double pushFactor_ = 1;
   Vec3 force_;                ///< N, of the last push
   std::int64_t pushEnd_ = 0;  ///< tick

@@ -109,7 +109,7 @@ void Viewer::changeSpeed(double factor) {
 }
 
 void Viewer::runOn() {
-  if (!cure_ || simulation_.status() == Status::NotFinite) return;
+  if (!cure_ || breaking_ || simulation_.status() == Status::NotFinite) return;
   cure_.reset();
   message_.clear();
   breaking_ = true;
