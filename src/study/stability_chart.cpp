@@ -182,7 +182,8 @@ class Script {
 
   void panel(std::size_t k) {
     const double x = double(k % kPanelsAcross) * kWidth / kPanelsAcross;
-    const double y = bottomOfRows_ + 185 + double(k / kPanelsAcross) * (kPanel + kPanelHead);
+    const std::size_t row = k / kPanelsAcross;
+    const double y = bottomOfRows_ + 185 + double(row) * (kPanel + kPanelHead);
     const Extent& extent = extents_[k];
     if (k == 0) {
       std::ostringstream head;

@@ -44,7 +44,7 @@ StabilityStudy studyStability(const Scene& scene, const StabilityPlan& plan) {
   study.scene = scene;
   std::vector<bool> dampings{false};
   if (isDamped(scene)) dampings.insert(dampings.begin(), true);
-  const double parts = double(plan.methods.size() * dampings.size());
+  const auto parts = double(plan.methods.size() * dampings.size());
   double done = 0;
   const auto observer = [&] {
     study.stopped = study.stopped || (plan.observer && !plan.observer(done / parts));
