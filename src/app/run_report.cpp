@@ -11,6 +11,7 @@
 
 #include "app/cure.h"
 #include "app/json.h"
+#include "study/idle_terms.h"
 #include "study/stability.h"
 #include "tyg/methods.h"
 
@@ -157,6 +158,7 @@ std::string runPlan(const Simulation& simulation) {
   for (std::size_t k = 1; k < edges.size(); ++k) {
     text += line("span %zu: %.6g s to %.6g s\n", k, edges[k - 1], edges[k]);
   }
+  for (const std::string& idle : idleTerms(scene)) text += "note: changes nothing visible: " + idle + "\n";
   return text;
 }
 
