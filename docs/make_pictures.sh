@@ -13,6 +13,9 @@ if [[ ${TYG_PICTURES:-} != window ]]; then
   "$tyg" stability curtain --out stability >/dev/null
   mv stability/stability.png stability-curtain.png
   rm -r stability
+  "$tyg" diet curtain --within 5% --out diet >/dev/null
+  mv diet/overlay.png diet-curtain.png
+  rm -r diet
   TYG_PICTURES=window exec xvfb-run -a -s "-screen 0 1280x720x24 -nolisten tcp" "$here/make_pictures.sh" "$tyg"
 fi
 
