@@ -159,8 +159,18 @@ class View {
       renderer_ = std::make_unique<SheetRenderer>(viewer_.simulation().sheet());
       drawnSheet_ = viewer_.sheetsSoFar();
     }
-    renderer_->draw(viewer_.positions(), viewer_.camera(), {shown_.width, shown_.height}, viewer_.drawOptions(),
-                    viewer_.shownPush());
+    ClothPicture picture{.options = viewer_.drawOptions()};
+    panels_.paint(picture);
+    const glm::ivec2 pixels{shown_.width, shown_.height};
+    renderer_->draw(viewer_.positions(), viewer_.camera(), pixels, picture.options, viewer_.shownPush());
+    if (picture.ghost.size() != viewer_.positions().size()) return;
+    const bool dark = picture.options.background == Background::Dark;
+    renderer_->draw(picture.ghost, viewer_.camera(), pixels,
+                    {.pins = false,
+                     .background = picture.options.background,
+                     .mesh = dark ? rgb(0xf4f6f8) : rgb(0x20242a),
+                     .over = true,
+                     .opacity = picture.ghostOpacity});
   }
 
   /// Trouble while drawing is shown by the text that is drawn over it.

@@ -34,6 +34,8 @@ constexpr std::array kInputs{
     Input{kEnterKey, RunOn, "Enter", ""},
     Input{'K', OpenControl, "K", "control panel"},
     Input{'O', OpenGallery, "O", "scenes, in pictures"},
+    Input{'C', OpenChart, "C", "chart: speed, accuracy"},
+    Input{'G', OpenGhost, "G", "ghost: the true motion"},
     Input{'Y', KeepPicture, "Y", "picture and run, movie: kept in files"},
     Input{'Z', Film, "Z", "picture and run, movie: kept in files"},
     Input{'H', ShowHelp, "H", "these keys"},

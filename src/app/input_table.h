@@ -18,7 +18,7 @@ enum class InputAction {
   Poke, Look, Approach,
   MoveForward, MoveLeft, MoveBack, MoveRight, MoveDown, MoveUp, FrameCloth,
   SmallerStep, LargerStep, SafeStep, HoldingMethod, RunOn,
-  OpenControl, OpenGallery,
+  OpenControl, OpenGallery, OpenChart, OpenGhost, OpenStretch, OpenEnergy, OpenTraces,
   KeepPicture, Film,
   ShowHelp, Leave,
   ChooseMethod,

@@ -34,7 +34,7 @@ struct DrawOptions {
   std::optional<glm::vec3> mesh;  ///< colour of the structural lines, red green blue 0..1; none: the background's own
   bool over = false;              ///< keep what is in the framebuffer and draw the cloth into it (and no ground)
   float opacity = 1;              ///< of the spring lines, 0..1
-  Colouring colouring;
+  Colouring colouring{};
 };
 
 /// A push as shown: an arrow on a particle along a force (N).

@@ -24,6 +24,13 @@ struct PanelScope {
   float size;  ///< of the text, pixels
 };
 
+/// How the cloth is drawn in a frame, for panels that show something on it.
+struct ClothPicture {
+  DrawOptions options;
+  std::span<const float> ghost{};  ///< x, y, z of a second cloth of the same sheet, m; any other count: none
+  float ghostOpacity = 1;          ///< 0..1
+};
+
 /// A panel lives from its first opening to the end of the program, and keeps its state while closed.
 class Panel {
  public:
@@ -37,6 +44,8 @@ class Panel {
   virtual void draw(const PanelScope& scope) = 0;
   /// Once a frame while it is open, after the cloth has moved and before anything is drawn.
   virtual void follow(Viewer& /*viewer*/) {}
+  /// Before each picture while it is open.
+  virtual void paint(ClothPicture& /*picture*/) {}
   /// It was closed: what runs in the background stops.
   virtual void close() {}
   /// True while it has something new to show by itself; the window then keeps drawing even where the cloth rests.

@@ -95,6 +95,10 @@ void Panels::follow(Viewer& viewer) {
   if (!ImGui::IsAnyItemActive()) edits_.follow(viewer);
 }
 
+void Panels::paint(ClothPicture& picture) {
+  for (const std::size_t which : order_) places_[which].panel->paint(picture);
+}
+
 float Panels::widthOf(const PanelKind& kind) const {
   return std::round(std::min(kind.width * size_, kWidestShare * ImGui::GetIO().DisplaySize.x));
 }

@@ -25,6 +25,8 @@ class Panels {
 
   /// Once a frame, after the cloth has moved.
   void follow(Viewer& viewer);
+  /// What the open panels show on the cloth, the one opened last on top.
+  void paint(ClothPicture& picture);
   /// All open panels, between ImGui::NewFrame and ImGui::Render.
   void draw(Viewer& viewer);
 

@@ -1,0 +1,17 @@
+// A scale of colours with numbers below it, for panels that colour the cloth.
+// Must not know: what the colours are for.
+#pragma once
+
+#include "app/panels/panel.h"
+#include "gfx/colour_ramp.h"
+
+namespace tyg {
+
+/// Draws the ramp over the panel's width with `low`, the middle and `high` below it, each with the unit.
+void colourBar(const PanelScope& scope, Ramp ramp, double low, double high, const char* unit);
+
+/// A round number (1, 2 or 5 times a power of ten) at or above `value`, that stays as it was while it fits: until
+/// something passes it, or all is below a tenth of it.
+double steadyTop(double before, double value);
+
+}  // namespace tyg

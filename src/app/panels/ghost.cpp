@@ -1,0 +1,146 @@
+// See ghost.h.
+#include "app/ghost.h"
+
+#include <imgui.h>
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/panels/colour_bar.h"
+#include "app/panels/ghost.h"
+#include "app/viewer.h"
+#include "tyg/methods.h"
+
+namespace tyg {
+namespace {
+
+constexpr double kSecondsPerFrame = 0.008;  // of computing; more would be felt in the frame rate
+constexpr float kOpacity = 0.5F;
+constexpr float kBeside = 1.15F;  // sheet sizes from the live cloth to a ghost beside it
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+class GhostPanel final : public Panel {
+ public:
+  void follow(Viewer& viewer) override {
+    const Simulation& live = viewer.simulation();
+    if (live.status() != Status::Ok) return;
+    try {
+      if (!ghost_) ghost_.emplace(live, second_);
+      ghost_->follow(live, kSecondsPerFrame, now);
+      if (beside_) shift(viewer);
+    } catch (const std::exception& refusal) {  // a method that does not take this scene
+      viewer.note(refusal.what());
+      ghost_.reset();
+      second_ = nullptr;
+    }
+  }
+
+  void close() override { ghost_.reset(); }
+  [[nodiscard]] bool busy() const override { return ghost_ && ghost_->behind() > 0 && ghost_->status() == Status::Ok; }
+
+  void paint(ClothPicture& picture) override {
+    if (!ghost_) return;
+    picture.ghost = beside_ ? std::span<const float>(shifted_) : ghost_->positions();
+    picture.ghostOpacity = beside_ ? 1 : kOpacity;
+    if (!coloured_ || !ghost_->gap()) return;
+    top_ = steadyTop(top_, ghost_->gap()->largest);
+    picture.options.colouring = {.by = Colouring::By::Particle,
+                                 .ramp = Ramp::Growing,
+                                 .low = 0,
+                                 .high = static_cast<float>(top_),
+                                 .values = ghost_->distances()};
+  }
+
+  void draw(const PanelScope& scope) override {
+    choose();
+    if (ImGui::RadioButton("over the cloth", !beside_)) beside_ = false;
+    ImGui::SameLine();
+    if (ImGui::RadioButton("beside it", beside_)) beside_ = true;
+    ImGui::Checkbox("colour the cloth by its distance", &coloured_);
+    if (!ghost_) return;
+    ImGui::PushTextWrapPos(0);
+    distances(scope);
+    state(scope);
+    ImGui::PopTextWrapPos();
+  }
+
+ private:
+  /// A size to the left, as the camera sees it.
+  void shift(const Viewer& viewer) {
+    const auto size = static_cast<float>(viewer.simulation().sheet().size());
+    const glm::vec3 way = -kBeside * size * viewer.camera().right();
+    const std::span<const float> from = ghost_->positions();
+    shifted_.resize(from.size());
+    for (std::size_t i = 0; i < from.size(); ++i) shifted_[i] = from[i] + way[static_cast<int>(i % 3)];
+  }
+
+  void choose() {
+    constexpr const char* kReference = "the true motion (reference)";
+    const std::string chosen = second_ == nullptr ? kReference : std::string(second_->name);
+    ImGui::SetNextItemWidth(-1);
+    if (!ImGui::BeginCombo("##ghost", chosen.c_str())) return;
+    if (ImGui::Selectable(kReference, second_ == nullptr)) use(nullptr);
+    for (const Method& method : methods()) {
+      if (ImGui::Selectable(std::string(method.name).c_str(), second_ == &method)) use(&method);
+    }
+    ImGui::EndCombo();
+  }
+  void use(const Method* second) {
+    second_ = second;
+    ghost_.reset();
+    top_ = 0;
+  }
+
+  void distances(const PanelScope& scope) {
+    const std::optional<GhostGap>& gap = ghost_->gap();
+    if (!gap) {
+      ImGui::TextUnformatted("distance: they have not met yet");
+      return;
+    }
+    ImGui::Text("distance: %.3g mm RMS, %.3g mm at most", 1e3 * gap->rms, 1e3 * gap->largest);
+    if (coloured_ && top_ > 0) colourBar(scope, Ramp::Growing, 0, 1e3 * top_, "mm");
+    if (!ghost_->isReference()) return;
+    if (ghost_->time() == 0) return;
+    if (gap->means()) return colouredText(scope.colours.dim, "the reference itself: within %.1g mm", 1e3 * gap->floor);
+    if (ghost_->horizon() <= gap->time) {
+      return colouredText(scope.colours.warning,
+                          "The horizon passed at %.2f s: the cloth makes so much of the smallest differences that "
+                          "the distance means nothing any more.",
+                          ghost_->horizon());
+    }
+    colouredText(scope.colours.good, "as close as the reference can tell: within %.1g mm", 1e3 * gap->floor);
+  }
+
+  void state(const PanelScope& scope) {
+    if (ghost_->status() != Status::Ok) {
+      return colouredText(scope.colours.warning, "The ghost's method failed at %.3f s.", ghost_->time());
+    }
+    if (ghost_->behind() > 0) {
+      colouredText(scope.colours.warning, "The ghost is %.2f s behind: this machine cannot compute both in time.",
+                   ghost_->behind());
+    }
+  }
+
+  static void colouredText(Colour colour, const char* format, double number) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::Text(format, number);
+    ImGui::PopStyleColor();
+  }
+
+  const Method* second_ = nullptr;  ///< null: the reference
+  std::optional<Ghost> ghost_;
+  bool beside_ = false, coloured_ = true;
+  std::vector<float> shifted_;  ///< the ghost's positions, beside the cloth
+  double top_ = 0;              ///< m, at the end of the colours
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> makeGhostPanel() { return std::make_unique<GhostPanel>(); }
+
+}  // namespace tyg
