@@ -110,6 +110,10 @@ class Viewer {
   [[nodiscard]] std::span<const float> positions() const { return positions_; }
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] const Box& box() const { return box_; }
+  [[nodiscard]] int picked() const { return picked_; }  ///< the particle pushed last; -1 before any push
+  /// The energies now; the dissipated one and the drift are followed from followLedger(true) on, restarts included.
+  Ledger ledger() { return simulation_.ledger(); }
+  void followLedger(bool on);
   /// The push to show: while it acts or is about to, and long enough to be seen.
   [[nodiscard]] std::optional<ShownPush> shownPush() const;
 

@@ -28,6 +28,11 @@ void Viewer::useLive(const Scene& scene) {
   scene_ = scene;
 }
 
+void Viewer::followLedger(bool on) {
+  settings_.ledger = on;
+  simulation_.followLedger(on);
+}
+
 void Viewer::begin(const Scene& scene, bool newSheet) {
   const Method& method = findMethod(scene.integrator);
   Simulation fresh(scene, method, settings_);  // first: it may refuse the scene

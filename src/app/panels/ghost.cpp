@@ -20,6 +20,8 @@ namespace {
 
 constexpr double kSecondsPerFrame = 0.008;  // of computing; more would be felt in the frame rate
 constexpr float kOpacity = 0.5F;
+constexpr double kTellable = 2;   // floors: from there on a distance is more than the reference's own
+constexpr double kNoticed = 0.1;  // s behind, that the person is told of
 constexpr float kBeside = 1.15F;  // sheet sizes from the live cloth to a ghost beside it
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -106,7 +108,8 @@ class GhostPanel final : public Panel {
     if (coloured_ && top_ > 0) colourBar(scope, Ramp::Growing, 0, 1e3 * top_, "mm");
     if (!ghost_->isReference()) return;
     if (ghost_->time() == 0) return;
-    if (gap->means()) return colouredText(scope.colours.dim, "the reference itself: within %.1g mm", 1e3 * gap->floor);
+    if (gap->rms >= kTellable * gap->floor && !(ghost_->horizon() <= gap->time))
+      return colouredText(scope.colours.dim, "the reference itself: within %.1g mm", 1e3 * gap->floor);
     if (ghost_->horizon() <= gap->time) {
       return colouredText(scope.colours.warning,
                           "The horizon passed at %.2f s: the cloth makes so much of the smallest differences that "
@@ -120,7 +123,7 @@ class GhostPanel final : public Panel {
     if (ghost_->status() != Status::Ok) {
       return colouredText(scope.colours.warning, "The ghost's method failed at %.3f s.", ghost_->time());
     }
-    if (ghost_->behind() > 0) {
+    if (ghost_->behind() > kNoticed) {
       colouredText(scope.colours.warning, "The ghost is %.2f s behind: this machine cannot compute both in time.",
                    ghost_->behind());
     }

@@ -1,0 +1,85 @@
+// See stretch.h.
+#include "app/panels/stretch.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/panels/colour_bar.h"
+#include "app/viewer.h"
+#include "view/stretch.h"
+
+namespace tyg {
+namespace {
+
+constexpr std::array kFamilies{Family::Structural, Family::Shear, Family::Bend};
+constexpr std::array kNames{"structural", "shear", "bend"};
+
+const SpringFamily& springsOf(const Scene& scene, Family family) {
+  return family == Family::Structural ? scene.structural : family == Family::Shear ? scene.shear : scene.bend;
+}
+
+class StretchPanel final : public Panel {
+ public:
+  void follow(Viewer& viewer) override {
+    const Simulation& simulation = viewer.simulation();
+    double most = 0;
+    for (std::size_t k = 0; k < kFamilies.size(); ++k) {
+      stretches_.at(k) = {};
+      if (!springsOf(simulation.scene(), kFamilies.at(k)).present()) continue;
+      stretches_.at(k) = stretchOf(simulation.sheet(), viewer.positions(), kFamilies.at(k));
+      most = std::max({most, stretches_.at(k).largest, -stretches_.at(k).smallest});
+    }
+    top_ = steadyTop(top_, std::max(most, kLeastTop));
+  }
+
+  void paint(ClothPicture& picture) override {
+    const auto top = static_cast<float>(top_);
+    picture.options.colouring = {
+        .by = Colouring::By::Strain, .ramp = Ramp::Balanced, .low = -top, .high = top, .values = {}};
+  }
+
+  void draw(const PanelScope& scope) override {
+    colourBar(scope, Ramp::Balanced, -100 * top_, 100 * top_, "%");
+    table(scope);
+    ImGui::PushStyleColor(ImGuiCol_Text, scope.colours.dim);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted("Springs that are longer than at rest are warm, shorter ones cold.");
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+  }
+
+ private:
+  static constexpr double kLeastTop = 1e-4;  ///< strains below it are rounding, not stretch
+
+  void table(const PanelScope& scope) const {
+    constexpr int kColumns = 4;
+    if (!ImGui::BeginTable("families", kColumns, ImGuiTableFlags_SizingStretchProp)) return;
+    for (const char* head : {"% of rest length", "mean", "longest", "shortest"}) {
+      ImGui::TableNextColumn();
+      ImGui::TextDisabled("%s", head);
+    }
+    const Scene& scene = scope.viewer.simulation().scene();
+    for (std::size_t k = 0; k < kFamilies.size(); ++k) {
+      if (!springsOf(scene, kFamilies.at(k)).present()) continue;
+      const Stretch& stretch = stretches_.at(k);
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(kNames.at(k));
+      for (const double strain : {stretch.mean, stretch.largest, stretch.smallest}) {
+        ImGui::TableNextColumn();
+        ImGui::Text("%+.2f", 100 * strain);
+      }
+    }
+    ImGui::EndTable();
+  }
+
+  std::array<Stretch, kFamilies.size()> stretches_{};
+  double top_ = 0;  ///< strain at both ends of the colours
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> makeStretchPanel() { return std::make_unique<StretchPanel>(); }
+
+}  // namespace tyg
