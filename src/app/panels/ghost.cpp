@@ -106,15 +106,15 @@ class GhostPanel final : public Panel {
     }
     ImGui::Text("distance: %.3g mm RMS, %.3g mm at most", 1e3 * gap->rms, 1e3 * gap->largest);
     if (coloured_ && top_ > 0) colourBar(scope, Ramp::Growing, 0, 1e3 * top_, "mm");
-    if (!ghost_->isReference()) return;
-    if (ghost_->time() == 0) return;
-    if (gap->rms >= kTellable * gap->floor && !(ghost_->horizon() <= gap->time))
-      return colouredText(scope.colours.dim, "the reference itself: within %.1g mm", 1e3 * gap->floor);
+    if (!ghost_->isReference() || ghost_->time() == 0) return;
     if (ghost_->horizon() <= gap->time) {
       return colouredText(scope.colours.warning,
                           "The horizon passed at %.2f s: the cloth makes so much of the smallest differences that "
                           "the distance means nothing any more.",
                           ghost_->horizon());
+    }
+    if (gap->rms >= kTellable * gap->floor) {
+      return colouredText(scope.colours.dim, "the reference itself: within %.1g mm", 1e3 * gap->floor);
     }
     colouredText(scope.colours.good, "as close as the reference can tell: within %.1g mm", 1e3 * gap->floor);
   }
