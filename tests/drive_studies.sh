@@ -61,6 +61,11 @@ some_time() {
   look
   until_true "time passes" later_than "$(awk "BEGIN { print $sim_s + $1 }")"
 }
+# The window has to have drawn with the cursor there before it knows what is under it.
+point_at() {
+  xdotool mousemove --window "$window" "$1" "$2"
+  some_frames 2
+}
 picture() {
   some_frames 6
   [[ -z $pictures ]] || ffmpeg -v error -y -f x11grab -video_size "$size" -i "$DISPLAY" -frames:v 1 "$pictures/$1.png"
@@ -97,7 +102,8 @@ adopted=
 for ((turn = 0; turn < 400 && ${#adopted} == 0; ++turn)); do
   # Somewhere in the plot, where the rows come in one after the other.
   x=$((width - 30 * 18 + (turn * 37) % (24 * 18))) y=$((8 * 18 + (turn * 23) % (12 * 18)))
-  xdotool mousemove --window "$window" "$x" "$y" click 1
+  point_at "$x" "$y"
+  xdotool click 1
   some_frames 1
   if setting_changed; then adopted=yes; fi
 done
@@ -105,7 +111,8 @@ done
 [[ $pushes == 0 ]] || fail "clicks on the chart push the cloth"
 look
 echo "chart: from $before to $integrator,$dt after $turn clicks"
-xdotool mousemove --window "$window" 300 "$((height - 200))"
+point_at 300 "$((height - 200))"
+some_frames 40 # of rows coming in
 picture chart
 press c
 close_window
