@@ -36,7 +36,7 @@ void colourBar(const PanelScope& scope, Ramp ramp, double low, double high, cons
 }
 
 double steadyTop(double before, double value) {
-  if (before > 0 && value <= before && value > before / 10) return before;
+  if (before > 0 && value <= before && value > before / 5) return before;
   if (!(value > 0) || std::isinf(value)) return before;
   const double power = std::pow(10.0, std::floor(std::log10(value)));
   for (const double step : {1.0, 2.0, 5.0}) {

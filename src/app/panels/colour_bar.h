@@ -11,7 +11,7 @@ namespace tyg {
 void colourBar(const PanelScope& scope, Ramp ramp, double low, double high, const char* unit);
 
 /// A round number (1, 2 or 5 times a power of ten) at or above `value`, that stays as it was while it fits: until
-/// something passes it, or all is below a tenth of it.
+/// something passes it, or it is less than a fifth of it.
 double steadyTop(double before, double value);
 
 }  // namespace tyg

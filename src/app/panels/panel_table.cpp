@@ -3,8 +3,8 @@
 
 #include "app/panels/chart.h"
 #include "app/panels/control.h"
-#include "app/panels/gallery.h"
 #include "app/panels/energy.h"
+#include "app/panels/gallery.h"
 #include "app/panels/ghost.h"
 #include "app/panels/panel.h"
 #include "app/panels/stretch.h"
