@@ -91,7 +91,9 @@ void drawLine(ImDrawList& list, ImVec2 from, ImVec2 to, Colour colour, float wid
     const float share = std::min(along, length) / length;
     return ImVec2{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
   };
-  for (float along = 0; along < length; along += kDash + kGap) {
+  const int dashes = int(std::ceil(length / (kDash + kGap)));
+  for (int k = 0; k < dashes; ++k) {
+    const float along = float(k) * (kDash + kGap);
     list.AddLine(point(along), point(along + kDash), colour, width);
   }
 }
@@ -293,7 +295,8 @@ void ChartPlot::legend(const PanelScope& scope, const Contents& contents) {
   emphasised_ = nullptr;
   for (std::size_t k = 0; k < charted.size(); ++k) {
     const Method& method = *charted[k];
-    const ImVec2 at{origin.x + float(k % columns) * cell, origin.y + float(k / columns) * line};
+    const std::size_t down = k / columns;
+    const ImVec2 at{origin.x + float(k - down * columns) * cell, origin.y + float(down) * line};
     const bool under = ImGui::IsWindowHovered() && cursor.x >= at.x && cursor.x < at.x + cell && cursor.y >= at.y &&
                        cursor.y < at.y + line;
     if (under) emphasised_ = &method;

@@ -69,10 +69,11 @@ void runningPlot(const PanelScope& scope, const char* title, const RunningSeries
     return bottom - float((value - range.low) / (range.high - range.low)) * (bottom - top);
   };
   const bool crowded = y(range.low) - y(range.low + range.step) < 1.2F * small;
-  for (double value = range.low; value < range.high + range.step / 2; value += range.step) {
+  const int steps = int(std::lround((range.high - range.low) / range.step));
+  for (int k = 0; k <= steps; ++k) {
+    const double value = range.low + k * range.step;
     list.AddLine({left, y(value)}, {right, y(value)}, faded(scope.colours.dim, 0.25F));
-    if (crowded && std::abs(value - range.low) > range.step / 2 && std::abs(value - range.high) > range.step / 2)
-      continue;
+    if (crowded && k != 0 && k != steps) continue;
     const Text text = numberText(value, range.step);
     write(left - extent(text.data()) - 0.4F * small, y(value) - 0.5F * small, text.data());
   }
