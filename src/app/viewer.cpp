@@ -252,7 +252,7 @@ void Viewer::resize(Extent pixels, int margin) {
 
 void Viewer::frameCloth() {
   if (pixels_.width <= 0 || pixels_.height <= 0) return;
-  const int free = std::max(pixels_.width / 2, pixels_.width - 2 * margin_);
+  const int free = std::max(pixels_.width / 3, pixels_.width - 2 * margin_);
   const float aspect = float(free) / float(pixels_.height);
   if (simulation_.ticks() > 0) {
     camera_.frame(box_, aspect);

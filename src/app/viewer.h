@@ -61,7 +61,7 @@ class Viewer {
   /// Pauses at the kept moment nearest to this time, s.
   void turnToTime(double time);
   /// Size of the window. The first one that is not empty frames the cloth, as F does, leaving `margin` pixels free on
-  /// the left and on the right (ignored where that would leave less than half the window).
+  /// the left and on the right (but a third of the window is the cloth's in any case).
   void resize(Extent pixels, int margin);
   /// Once a frame: moves the camera and the cloth to the present time.
   void frame();

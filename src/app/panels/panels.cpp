@@ -13,8 +13,8 @@ namespace {
 
 /// Of the window's width, at most, for a panel that stands at an edge: the cloth keeps the middle.
 constexpr float kWidestShare = 0.46F;
-/// From the window's edges, in text sizes: the title is above, the lines of the status below.
-constexpr float kSide = 0.6F, kAbove = 2.4F, kBelow = 4.2F, kBetween = 0.5F;
+/// From the window's edges, in text sizes: the title is above, the line of time and the status below.
+constexpr float kSide = 0.6F, kAbove = 2.4F, kBelow = 6, kBetween = 0.5F;
 constexpr float kLowest = 6;  ///< a panel is at least this high before it gets a scroll bar, in text sizes
 
 std::size_t placeOf(InputAction action) {
