@@ -31,7 +31,7 @@ constexpr std::array kThresholds = {0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.5, 1.0};
 
 /// The limit that holds in any deformation: the spring's part of a wave's force never exceeds that of springs which
 /// pull in every direction, and may be less (model, section 8). Under the axial law damping may be less, too.
-double certifiedLimit(const Scene& scene, const Method& method) {
+double anyShapeLimit(const Scene& scene, const Method& method) {
   const double rest = restLatticeLimit(scene, method);
   if (method.stableStep == nullptr) return rest;
   const auto symbol = [&](double SpringFamily::*k, double qx, double qy) {
@@ -136,7 +136,7 @@ void addRows(unsigned seed, const Method& method, std::vector<Row>& rows) {
   const Scene look = randomCloth(seed, 1);
   if (method.name == "imex" && look.damping == Damping::Axial) return;  // refuses the axial law
   const Method& accurate = findMethod("rk4");
-  const double rest = restLatticeLimit(look, method), own = certifiedLimit(look, accurate);
+  const double rest = restLatticeLimit(look, method), own = anyShapeLimit(look, accurate);
   const bool limited = !std::isnan(rest);
   if (limited && rest <= 0) return;
   const double unit = limited ? rest : own;
@@ -156,7 +156,7 @@ void addRows(unsigned seed, const Method& method, std::vector<Row>& rows) {
     for (const double step : {0.5, 1.0, 4.0}) add(0, step * unit);
     return;
   }
-  const double certified = certifiedLimit(look, method);
+  const double certified = anyShapeLimit(look, method);
   for (const double share : kBelow) {
     if (certified > 0.05 * rest) add(share, share * certified);
   }
