@@ -138,6 +138,8 @@ class View {
 
   void giveNotice() {
     if (viewer_.pushes() > 0) hints_.did(Hints::Deed::Poke);
+    if (panels_.isOpen(InputAction::OpenChart)) hints_.did(Hints::Deed::Chart);
+    if (panels_.isOpen(InputAction::OpenGhost)) hints_.did(Hints::Deed::Ghost);
     std::array<char, 160> text{};
     if (keeper_.filming()) {
       std::snprintf(text.data(), text.size(), "filming into %s  \u00b7  %.1f s  \u00b7  Z ends it",

@@ -95,7 +95,8 @@ std::string chartOf(const std::vector<std::string>& names, const std::vector<Cos
             "  set xlabel 'particles along a side of the same cloth'\n";
   for (std::size_t scene = 0; scene < names.size(); ++scene) {
     script << "  set title " << gnuplotQuoted(names[scene] + ": seconds for a simulated second") << "\n"
-           << (scene + 1 == names.size() ? "  set key at screen 0.99,0.9 right top samplen 2\n" : "  unset key\n") << "  plot ";
+           << (scene + 1 == names.size() ? "  set key at screen 0.99,0.9 right top samplen 2\n" : "  unset key\n")
+           << "  plot ";
     for (const auto& [method, row] : costs[scene]) {
       const MethodLook look = lookOfMethod(method);
       script << "data using (stringcolumn(1) eq " << gnuplotQuoted(names[scene]) << " && stringcolumn(2) eq "
