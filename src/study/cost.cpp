@@ -82,8 +82,8 @@ std::int64_t workOf(const Method& method, const SampledMotion& run) {
   return units(method, run.forceEvaluations, run.steps);
 }
 
-CostMeter::CostMeter(const Scene& yardstick, int threads, Clock clock)
-    : yardstick_(yardstick), threads_(threads), clock_(std::move(clock)) {}
+CostMeter::CostMeter(Scene yardstick, int threads, Clock clock)
+    : yardstick_(std::move(yardstick)), threads_(threads), clock_(std::move(clock)) {}
 
 double CostMeter::secondsPerUnit(const Scene& scene, int threads) {
   if (known_.empty()) {

@@ -27,7 +27,7 @@ class CostMeter {
   using Clock = std::function<double(int threads)>;
 
   /// `yardstick` is what all others take turns with, on `threads` threads.
-  CostMeter(const Scene& yardstick, int threads, Clock clock);
+  CostMeter(Scene yardstick, int threads, Clock clock);
 
   /// s for one unit; `scene.integrator` must name a method that takes the scene (else InputError).
   double secondsPerUnit(const Scene& scene, int threads);
