@@ -28,7 +28,8 @@ std::filesystem::path freeName(const std::filesystem::path& folder, const std::s
                                const std::string& ending) {
   std::filesystem::path name = folder / (stem + ending);
   for (int number = 2; std::filesystem::exists(std::filesystem::symlink_status(name)); ++number) {
-    name = folder / (stem + "-" + std::to_string(number) + ending);
+    std::string numbered = stem;
+    name = folder / numbered.append("-").append(std::to_string(number)).append(ending);
   }
   return name;
 }

@@ -120,7 +120,9 @@ class ControlPanel final : public Panel {
     list.AddRectFilled({from.x, top}, {at(Margin::kClose * margin.limit), to.y}, scope.colours.good);
     list.AddRectFilled({at(Margin::kClose * margin.limit), top}, {limit, to.y}, scope.colours.warning);
     list.PushClipRect({limit, top}, to, true);
-    for (float x = limit; x < to.x; x += 0.3F * scope.size) {
+    const float stride = 0.3F * scope.size;
+    for (int line = 0; line < static_cast<int>((to.x - limit) / stride); ++line) {
+      const float x = limit + static_cast<float>(line) * stride;
       list.AddLine({x, to.y}, {x + to.y - top, top}, scope.colours.warning, 1.5F);
     }
     list.PopClipRect();

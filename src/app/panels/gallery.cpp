@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cstdint>
 
@@ -66,7 +67,7 @@ class GalleryPanel final : public Panel {
     list.AddRectFilled(at, corner, scope.colours.field, 0.3F * scope.size);
     if (entry.picture) {
       // ImGui's OpenGL renderer takes the texture's name as a pointer.
-      auto* const texture = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(entry.picture->name()));
+      const auto texture = std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(entry.picture->name()));
       list.AddImageRounded(texture, at, corner, {0, 1}, {1, 0}, IM_COL32_WHITE, 0.3F * scope.size);
     } else {
       const char* said = entry.trouble.empty() ? "being drawn ..." : entry.trouble.c_str();
