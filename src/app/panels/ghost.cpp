@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -18,13 +19,19 @@
 namespace tyg {
 namespace {
 
-constexpr double kSecondsPerFrame = 0.008;  // of computing; more would be felt in the frame rate
+/// s of computing a frame: more would be felt in the frame rate, unless frames take long anyway.
+constexpr double kSecondsPerFrame = 0.008, kShareOfFrame = 0.25;
 constexpr float kOpacity = 0.5F;
 constexpr double kTellable = 2;   // floors: from there on a distance is more than the reference's own
 constexpr double kNoticed = 0.1;  // s behind, that the person is told of
 constexpr float kBeside = 1.15F;  // sheet sizes from the live cloth to a ghost beside it
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+double secondsFor(const Viewer& viewer) {
+  const double rate = viewer.pace().framesPerSecond;
+  return rate > 0 ? std::max(kSecondsPerFrame, kShareOfFrame / rate) : kSecondsPerFrame;
+}
 
 class GhostPanel final : public Panel {
  public:
@@ -33,7 +40,7 @@ class GhostPanel final : public Panel {
     if (live.status() != Status::Ok) return;
     try {
       if (!ghost_) ghost_.emplace(live, second_);
-      ghost_->follow(live, kSecondsPerFrame, now);
+      ghost_->follow(live, secondsFor(viewer), now);
       if (beside_) shift(viewer);
     } catch (const std::exception& refusal) {  // a method that does not take this scene
       viewer.note(refusal.what());
