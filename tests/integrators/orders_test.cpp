@@ -2,7 +2,7 @@
 // Runge-Kutta method of the tests' own. A new method is tested by being in the table.
 #include <gtest/gtest.h>
 
-#include "test_systems.h"
+#include "method_checks.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"
 
@@ -13,36 +13,8 @@ constexpr double kSeconds = 1;
 constexpr int kReferenceSteps = 4096;    // its error, (10/s * h)^4 / 120, is then near 1e-13 m
 constexpr double kOrderTolerance = 0.2;  // both neighbouring orders are excluded by far
 
-/// Steps in one second at which a method of this order shows its leading error and not yet rounding.
-int stepsFor(int order) { return order == 1 ? 2048 : order == 2 ? 512 : 96; }
-
-/// Where the sheet is set off from: shaken, so that no symmetry hides a term.
-Points shaken(const Scene& scene) {
-  Bench<double> bench(scene);
-  Numbers numbers(21);
-  shake(bench, 0.2, numbers);
-  Points start = bench.points();
-  for (const int pin : bench.sheet.pins) {
-    start.x[std::size_t(pin)] = bench.sheet.startPosition(pin);
-    start.v[std::size_t(pin)] = {};
-  }
-  return start;
-}
-
-double errorAfter(const Scene& scene, const Method& method, int steps) {
-  const Points start = shaken(scene);
-  Bench<double> bench(scene);
-  bench.set(start);
-  bench.advance(method, kSeconds, steps);
-  Points reference = start;
-  Oracle(scene).advance(reference, kSeconds, kReferenceSteps);
-  return distance(bench.points(), reference);
-}
-
 void expectTheOrder(const Scene& scene, const Method& method) {
-  const int steps = stepsFor(method.order);
-  const double order = std::log2(errorAfter(scene, method, steps) / errorAfter(scene, method, 2 * steps));
-  EXPECT_NEAR(order, method.order, kOrderTolerance) << method.name;
+  EXPECT_NEAR(observedOrder(scene, method), method.order, kOrderTolerance) << method.name;
 }
 
 /// imex factors a constant damping matrix, which the axial law does not have.
