@@ -162,16 +162,17 @@ TEST(WrongMethods, ThatUseTheOldVelocityGainEnergy) {
 TEST(WrongMethods, DoNotHoldAtTheStepsOfTheRightOnes) {
   Scene scene = oscillator(100, 0);
   scene.displacements = {{{"top-right"}, {0.2, 0, 0}}};
-  const auto statusAt = [&](const Method& method) {
-    scene.dt = 0.95 * method.stableStep(scene.structural.ks, 0);
+  const auto statusAt = [&](const Method& method, double share) {
+    scene.dt = share * method.stableStep(scene.structural.ks, 0);
     Simulation simulation(scene, method);
     simulation.advanceTo(300 * scene.dt);
     return simulation.status();
   };
-  EXPECT_EQ(statusAt(findMethod("symplectic-euler")), Status::Ok);
-  EXPECT_EQ(statusAt(findMethod("rk4")), Status::Ok);
-  EXPECT_NE(statusAt(insteadOf<UsesTheOldVelocity>("symplectic-euler")), Status::Ok);
-  EXPECT_NE(statusAt(insteadOf<ForgetsToMoveStages>("rk4")), Status::Ok);
+  constexpr double kSmall = 0.1;  // symplectic Euler's energy wobbles by h w / 2 of itself
+  EXPECT_EQ(statusAt(findMethod("symplectic-euler"), kSmall), Status::Ok);
+  EXPECT_EQ(statusAt(findMethod("rk4"), 0.95), Status::Ok);
+  EXPECT_NE(statusAt(insteadOf<UsesTheOldVelocity>("symplectic-euler"), kSmall), Status::Ok);
+  EXPECT_NE(statusAt(insteadOf<ForgetsToMoveStages>("rk4"), 0.95), Status::Ok);
 }
 
 }  // namespace

@@ -1,0 +1,204 @@
+// Where methods fail: on both sides of the predicted limits, over random sheets, and at known places of their stability
+// regions. A new method is tested by being in the table.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "random_cloth.h"
+#include "study/stability.h"
+#include "tyg/methods.h"
+#include "tyg/simulation.h"
+
+namespace tyg::test {
+namespace {
+
+constexpr double kBelow = 0.95, kAbove = 1.1;  // of the limit
+
+/// A sheet with springs, masses and damping drawn at random, slightly shaken out of rest, and nothing else: the linear
+/// regime, in which the predicted limit holds. Every third one is undamped, the others not lightly damped: next to that
+/// limit waves grow too slowly for a test.
+Scene trembling(unsigned seed) {
+  Numbers numbers(seed);
+  for (int k = 0; k < 20; ++k) numbers.coin();
+  Scene scene = emptyWorld(9 + int(numbers.between(0, 6)), 9 + int(numbers.between(0, 6)));
+  scene.name = "sheet " + std::to_string(seed);
+  scene.spacing = logBetween(numbers, 0.02, 0.2);
+  scene.particleMass = logBetween(numbers, 1e-3, 0.1);
+  drawSprings(scene, numbers);
+  const double critical = std::sqrt(8 * scene.structural.ks * scene.particleMass) / 8;
+  const double kd = seed % 3 == 0 ? 0 : critical * logBetween(numbers, 0.1, 3);
+  for (SpringFamily* family : {&scene.structural, &scene.shear, &scene.bend}) family->kd = family->ks > 0 ? kd : 0;
+  scene.tolerance = 0;  // adaptive methods take steps of dt
+  for (int k = 0; k < 12; ++k) {
+    const Place place{"", int(numbers.between(0, scene.columns - 1)), int(numbers.between(0, scene.rows - 1))};
+    scene.displacements.push_back({place, numbers.inCube(1e-3 * scene.spacing)});
+  }
+  return scene;
+}
+
+/// Damping in proportion to stiffness brings all waves to explicit Euler's limit d / w^2 at once, the short ones too,
+/// which grow fast. Otherwise the limit may be that of a long wave, which takes 10^5 steps and more to be seen.
+Scene inProportion(Scene scene) {
+  const double seconds = 0.7 / std::sqrt(8 * scene.structural.ks / scene.particleMass);
+  for (SpringFamily* family : {&scene.structural, &scene.shear, &scene.bend}) family->kd = seconds * family->ks;
+  scene.damping = Damping::Relative;
+  return scene;
+}
+
+bool takes(const Method& method, const Scene& scene) {
+  return method.name != "imex" || scene.damping == Damping::Relative;
+}
+
+/// Undamped, these leave the imaginary axis by so little that nothing is seen of it for 10^5 steps.
+bool leavesSlowly(const Method& method, const Scene& scene) {
+  return scene.structural.kd == 0 && (method.name == "dopri54" || method.name == "rkc2");
+}
+
+Status after(Scene scene, const Method& method, double dt, int steps) {
+  scene.dt = dt;
+  Simulation simulation(scene, method, {.threads = 1});
+  simulation.advanceTo(steps * dt);
+  return simulation.status();
+}
+
+void forLimitedMethods(const std::function<void(const Scene&, const Method&, double limit)>& test) {
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    for (const Method& method : methods()) {
+      const Scene scene = method.name == "explicit-euler" ? inProportion(trembling(seed)) : trembling(seed);
+      const double limit = restLatticeLimit(scene, method);
+      if (takes(method, scene) && limit > 0) test(scene, method, limit);
+    }
+  }
+}
+
+TEST(WhereMethodsFail, QuietBelowTheLimitOfEveryMethodOverRandomSheets) {
+  constexpr int kSteps = 300;
+  forLimitedMethods([](const Scene& scene, const Method& method, double limit) {
+    EXPECT_EQ(after(scene, method, kBelow * limit, kSteps), Status::Ok) << method.name << " " << scene.name;
+  });
+}
+
+TEST(WhereMethodsFail, AlarmedAboveTheLimitOfEveryMethodOverRandomSheets) {
+  constexpr int kSteps = 1500;
+  forLimitedMethods([](const Scene& scene, const Method& method, double limit) {
+    if (leavesSlowly(method, scene)) return;
+    EXPECT_NE(after(scene, method, kAbove * limit, kSteps), Status::Ok) << method.name << " " << scene.name;
+  });
+}
+
+TEST(WhereMethodsFail, ExplicitEulerAlwaysDoesWithoutDamping) {
+  const Method& euler = findMethod("explicit-euler");
+  for (unsigned seed = 1; seed <= 9; ++seed) {
+    Scene scene = trembling(seed);
+    scene.structural.kd = scene.shear.kd = scene.bend.kd = 0;
+    EXPECT_EQ(restLatticeLimit(scene, euler), 0);
+    const double reach = restLatticeLimit(scene, findMethod("leapfrog"));
+    // A wave grows by 1 + (h w)^2 / 2 a step, here with h w = 2 share for the fastest one.
+    for (const double share : {0.5, 0.05}) {
+      const int steps = int(40 / (2 * share * share));
+      EXPECT_NE(after(scene, euler, share * reach, steps), Status::Ok) << scene.name << " " << share;
+    }
+  }
+}
+
+/// How much a step changes the oscillator's state on average over many, by its energy norm.
+double growth(const Scene& scene, const Method& method, double h, int steps) {
+  Bench<double> bench(scene);
+  const double stiffness = std::max(scene.structural.ks, 1e-300);
+  const auto size = [&] {
+    const double x = bench.state.position.get(1).x - bench.sheet.startPosition(1).x;
+    const double v = bench.state.velocity.get(1).x;
+    return std::sqrt(stiffness * x * x + scene.particleMass * v * v);
+  };
+  bench.state.velocity.set(1, {1e-3, 0, 0});
+  const double before = size();
+  bench.advance(method, steps * h, steps);
+  return std::pow(size() / before, 1.0 / steps);
+}
+
+TEST(WhereMethodsFail, Rk4ReachesItsPlaceOnTheImaginaryAxis) {
+  const Scene scene = oscillator(100, 0);
+  const double unit = 2.8284 / std::sqrt(100.0);
+  EXPECT_LT(growth(scene, findMethod("rk4"), 0.9995 * unit, 2000), 1);
+  EXPECT_GT(growth(scene, findMethod("rk4"), 1.0005 * unit, 2000), 1);
+}
+
+TEST(WhereMethodsFail, Rk4ReachesItsPlaceOnTheRealAxis) {
+  const Scene scene = oscillator(0, 5);
+  const double unit = 2.7853 / 5;
+  EXPECT_LT(growth(scene, findMethod("rk4"), 0.9995 * unit, 2000), 1);
+  EXPECT_GT(growth(scene, findMethod("rk4"), 1.0005 * unit, 2000), 1);
+}
+
+TEST(WhereMethodsFail, DampingShrinksTheLimitOfLeapfrog) {
+  const Method& leapfrog = findMethod("leapfrog");
+  constexpr double kWobble = 2e-3;  // what a bounded change of the energy next to the limit looks like per step
+  double previous = 2 / std::sqrt(100.0) * (1 + 1e-12);
+  for (const double kd : {0.0, 1.0, 5.0, 20.0}) {
+    const double limit = leapfrog.stableStep(100, kd);
+    EXPECT_LT(limit, previous) << kd;
+    EXPECT_LE(growth(oscillator(100, kd), leapfrog, 0.99 * limit, 1000), 1 + kWobble) << kd;
+    EXPECT_GT(growth(oscillator(100, kd), leapfrog, 1.01 * limit, 1000), 1 + 2 * kWobble) << kd;
+    previous = limit;
+  }
+}
+
+/// An undamped sheet held at its rim, 58 % longer both ways than at rest.
+Bench<double> stretched() {
+  Scene scene = emptyWorld(14, 14);
+  scene.structural.ks = 1200, scene.shear.ks = 900, scene.bend.ks = 200;
+  scene.particleMass = 0.018;
+  for (int k = 0; k < 14; ++k) {
+    for (const auto& [column, row] : {std::pair{k, 0}, {k, 13}, {0, k}, {13, k}})
+      scene.pins.push_back({"", column, row});
+  }
+  return Bench<double>(scene);
+}
+
+/// What the energy of the stretched sheet, slightly shaken, has gained after some steps, as a fraction of itself.
+double unrest(const Method& method, double h) {
+  Bench<double> bench = stretched();
+  Numbers numbers(7);
+  for (int i = 0; i < bench.sheet.count(); ++i) {
+    bench.state.position.set(i, 1.58 * bench.sheet.startPosition(i));
+  }
+  for (const int row : {5, 6, 7}) {
+    for (int column = 3; column < 11; ++column) {
+      const int i = row * 14 + column;
+      bench.state.position.set(i, bench.state.position.get(i) + numbers.inCube(1e-3));
+    }
+  }
+  const double before = bench.forces.energy(bench.state).elastic;
+  bench.advance(method, 3000 * h, 3000);
+  const StoredEnergy now = bench.forces.energy(bench.state);
+  return (now.kinetic + now.elastic - before) / before;
+}
+
+TEST(WhereMethodsFail, TheLimitAtRestIsUnsafeInAStretchedSheetAndTheCertifiedOneIsNot) {
+  const Scene scene = stretched().scene;
+  for (const std::string_view name : {"leapfrog", "symplectic-euler", "rk4"}) {
+    const Method& method = findMethod(name);
+    const double rest = restLatticeLimit(scene, method), certified = certifiedLimit(scene, method);
+    EXPECT_LT(certified, kBelow * rest);
+    const double far = unrest(method, kBelow * rest);
+    EXPECT_TRUE(!(far < 1)) << name << " " << far;
+    EXPECT_LT(unrest(method, 0.999 * certified), 1e-3) << name;
+  }
+}
+
+TEST(WhereMethodsFail, ReportRk4IsSymplecticEulerWithALongerStep) {
+  const Scene scene = softSheet(Damping::Relative);
+  for (const double h : {1e-3, 0.05}) {
+    Bench<double> report(scene), euler(scene);
+    Numbers numbers(3);
+    shake(report, 0.1, numbers);
+    euler.state = report.state;
+    report.advance(findMethod("report-rk4"), 200 * h, 200);
+    const double longer = h * (1 + h / 2 + h * h / 6 + h * h * h / 24);
+    euler.advance(findMethod("symplectic-euler"), 200 * longer, 200);
+    EXPECT_LE(distance(report.points(), euler.points()), 1e-12 * scene.spacing) << h;
+  }
+}
+
+}  // namespace
+}  // namespace tyg::test
