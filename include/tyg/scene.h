@@ -102,7 +102,9 @@ struct BuiltinScene {
   std::string_view name;
   std::string_view text;  ///< TOML
 };
-/// All built-in scenes, the default (`curtain`) first, the others by name.
+/// Whether a scene is there to fail, and to say why: its name begins with `fail-`.
+inline bool showsFailure(const BuiltinScene& scene) { return scene.name.starts_with("fail-"); }
+/// All built-in scenes, the default (`curtain`) first, the others by name, those that fail last.
 std::span<const BuiltinScene> builtinScenes();
 
 /// The same cloth on another grid: spacing = larger side / (larger count - 1), particle mass and drag = the sheet's

@@ -15,7 +15,7 @@
 namespace tyg {
 namespace {
 
-constexpr std::size_t kPageWidth = 80, kNameWidth = 18;
+constexpr std::size_t kPageWidth = 80, kNameWidth = 20;
 
 /// The words of a text in lines that fit between `indent` and the edge of the page.
 std::string wrapped(const std::string& text, std::size_t indent) {
@@ -37,9 +37,13 @@ std::string padded(std::string text, std::size_t width) {
   return text;
 }
 
-std::vector<Scene> scenes() {
+enum class Kind { Showing, Failing };
+std::vector<Scene> scenes(Kind kind) {
   std::vector<Scene> all;
-  for (const BuiltinScene& scene : builtinScenes()) all.push_back(loadScene(std::string(scene.name), methodNames()));
+  for (const BuiltinScene& scene : builtinScenes()) {
+    if (showsFailure(scene) == (kind == Kind::Failing))
+      all.push_back(loadScene(std::string(scene.name), methodNames()));
+  }
   return all;
 }
 
@@ -48,13 +52,21 @@ std::string evaluations(const Method& method) {
   return std::to_string(method.evaluationsPerStep) + (method.adaptive ? " a step of its own choice" : " a step");
 }
 
-std::string page() {
-  std::string text = "Scenes (for example: tyg view NAME; the path of a .toml file serves as well)\n\n";
-  for (const Scene& scene : scenes()) {
+std::string described(Kind kind) {
+  std::string text;
+  for (const Scene& scene : scenes(kind)) {
     const std::string size = std::to_string(scene.columns) + " x " + std::to_string(scene.rows);
     text += "  " + padded(scene.name, kNameWidth) + scene.title + " (" + size + " particles)\n";
     text += wrapped(scene.shows, kNameWidth + 2);
   }
+  return text;
+}
+
+std::string page() {
+  std::string text = "Scenes (for example: tyg view NAME; the path of a .toml file serves as well)\n\n";
+  text += described(Kind::Showing);
+  text += "\nScenes that fail (tyg run NAME ends with exit code 1 and says why and what to do)\n\n";
+  text += described(Kind::Failing);
   text += "\nMethods (--integrator NAME), with their order and force evaluations\n\n";
   for (const Method& method : methods()) {
     text += "  " + padded(std::string(method.name), kNameWidth) + std::string(method.label) + ": order " +
@@ -72,13 +84,16 @@ std::string joined(const std::vector<JsonObject>& objects) {
 
 std::string json() {
   std::vector<JsonObject> sceneObjects, methodObjects;
-  for (const Scene& scene : scenes()) {
-    JsonObject& object = sceneObjects.emplace_back();
-    object.add("name", scene.name);
-    object.add("title", scene.title);
-    object.add("shows", scene.shows);
-    object.add("columns", scene.columns);
-    object.add("rows", scene.rows);
+  for (const Kind kind : {Kind::Showing, Kind::Failing}) {
+    for (const Scene& scene : scenes(kind)) {
+      JsonObject& object = sceneObjects.emplace_back();
+      object.add("name", scene.name);
+      object.add("title", scene.title);
+      object.add("shows", scene.shows);
+      object.add("columns", scene.columns);
+      object.add("rows", scene.rows);
+      object.addRaw("fails", kind == Kind::Failing ? "true" : "false");
+    }
   }
   for (const Method& method : methods()) {
     JsonObject& object = methodObjects.emplace_back();

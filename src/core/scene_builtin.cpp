@@ -1,6 +1,7 @@
 // The order in which people meet the built-in scenes.
 // Must not know: what is in them.
 #include <algorithm>
+#include <tuple>
 #include <vector>
 
 #include "core/embedded_scenes.h"
@@ -11,10 +12,10 @@ namespace {
 std::vector<BuiltinScene> inOrder() {
   const std::span<const BuiltinScene> embedded = embeddedScenes();
   std::vector<BuiltinScene> scenes(embedded.begin(), embedded.end());
-  const auto earlier = [](const BuiltinScene& a, const BuiltinScene& b) {
-    const bool aFirst = a.name == "curtain", bFirst = b.name == "curtain";
-    return aFirst != bFirst ? aFirst : a.name < b.name;
+  const auto place = [](const BuiltinScene& scene) {
+    return std::tuple(showsFailure(scene), scene.name != "curtain", scene.name);
   };
+  const auto earlier = [&](const BuiltinScene& a, const BuiltinScene& b) { return place(a) < place(b); };
   std::sort(scenes.begin(), scenes.end(), earlier);
   return scenes;
 }

@@ -61,6 +61,7 @@ TEST_P(GoldenHashes, HoldForEverySceneAndMethod) {
   for (const BuiltinScene& builtin : builtinScenes()) {
     const Scene scene = loadScene(std::string(builtin.name));
     for (const Method& method : methods()) {
+      if (showsFailure(builtin) && method.name != scene.integrator) continue;  // its hash is that of the alarm
       for (const Precision precision : {Precision::Float, Precision::Double}) {
         const std::string key =
             scene.name + " " + std::string(method.name) + (precision == Precision::Float ? " float" : " double");
