@@ -65,7 +65,7 @@ std::string described(Kind kind) {
 std::string page() {
   std::string text = "Scenes (for example: tyg view NAME; the path of a .toml file serves as well)\n\n";
   text += described(Kind::Showing);
-  text += "\nScenes that fail (tyg run NAME ends with exit code 1 and says why and what to do)\n\n";
+  text += "\nScenes that fail (tyg run NAME exits with 1 and says why and what to do)\n\n";
   text += described(Kind::Failing);
   text += "\nMethods (--integrator NAME), with their order and force evaluations\n\n";
   for (const Method& method : methods()) {

@@ -130,6 +130,7 @@ TEST(CommandLine, ListAsJsonHoldsTheSameNames) {
   EXPECT_EQ(list.code, 0);
   EXPECT_TRUE(holds(list.out, "\"name\": \"curtain\""));
   EXPECT_TRUE(holds(list.out, "\"name\": \"leapfrog\""));
+  EXPECT_TRUE(holds(list.out, "\"fails\": true"));
 }
 
 }  // namespace

@@ -72,6 +72,17 @@ TEST(Run, JsonComesAfterAFailureToo) {
   EXPECT_NE(jsonValue(outcome.out, "status"), "\"ok\"");
 }
 
+TEST(Run, OfEverySceneThatFailsSaysWhatAndWhatToDo) {
+  for (const BuiltinScene& scene : builtinScenes()) {
+    if (!showsFailure(scene)) continue;
+    const Outcome outcome = tyg("run " + std::string(scene.name));
+    EXPECT_EQ(outcome.code, 1) << scene.name;
+    for (const char* part : {"with steps of", "became unstable", "redicted", "Try --"}) {
+      EXPECT_TRUE(holds(outcome.err, part)) << scene.name << ": " << part << " in " << outcome.err;
+    }
+  }
+}
+
 TEST(Run, WithoutTheLedgerDissipationAndDriftAreNull) {
   const std::string without = json("curtain --duration 0.1"), with = json("curtain --duration 0.1 --ledger");
   EXPECT_EQ(jsonValue(without, "dissipated_J"), "null");

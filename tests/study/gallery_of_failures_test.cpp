@@ -42,7 +42,7 @@ std::map<std::string, std::vector<Scene>> cures() {
   all["fail-stretched"] = {stretched};
   jitter.dt = 0.003;
   all["fail-jitter"] = {jitter};
-  refined.particleMass = 0.0011, refined.dt = 0.0006, refined.duration = 0.5;  // enough to pass the drop
+  refined.particleMass = 0.0011, refined.dt = 0.0003, refined.duration = 0.5;  // enough to pass the drop
   all["fail-refined"] = {refined};
   return all;
 }
