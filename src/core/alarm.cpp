@@ -29,6 +29,7 @@ double firstSteps(const Scene& scene, const Sheet& sheet) {
 void Alarm::lose(double power, double time) {
   lost_ = lost_ * (1 - 1 / kMemory) + std::min(power, lastPower_) * (time - lastTime_);
   lastPower_ = power, lastTime_ = time;
+  lossIsPresent_ = true;
 }
 
 void Alarm::Sum::take(double value, double scale, bool first) {
@@ -41,8 +42,8 @@ Status Alarm::look(const StoredEnergy& energy, double work) {
   if (!std::isfinite(stored + lost_)) return Status::NotFinite;
   largest_ = std::max({largest_, std::abs(energy.gravitational), std::abs(work)});
   stored_.take(stored, scale(), !looked_);
-  balance_.take(stored + lost_, scale(), !looked_);
-  looked_ = true;
+  if (lossIsPresent_) balance_.take(stored + lost_, scale(), !looked_);
+  looked_ = true, lossIsPresent_ = false;
   return std::max(storedRise(), balanceRise()) > kThreshold ? Status::Unstable : Status::Ok;
 }
 

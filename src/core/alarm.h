@@ -28,7 +28,8 @@ class Alarm {
   /// 1/kMemory of D, so that small errors of the estimate do not add up over a long run; forgetting never lifts the
   /// sum.
   void lose(double power, double time);
-  /// Takes the energies of a moment (J) and says how the run stands. May be called as often as one likes.
+  /// Takes the energies of a moment (J) and says how the run stands. May be called as often as one likes: the balance
+  /// moves only with the first look after lose(), where stored and lost energy are of the same moment.
   Status look(const StoredEnergy& energy, double work);
 
   /// S: the largest over the run of |G|, |W| and K + E at the start, plus the floor, J.
@@ -47,7 +48,7 @@ class Alarm {
   double floor_ = 0, largest_ = 0;
   double lost_ = 0, lastPower_ = 0, lastTime_ = 0;
   Sum stored_, balance_;
-  bool looked_ = false;
+  bool looked_ = false, lossIsPresent_ = true;
 };
 
 /// The alarm of a scene that starts with these energies.

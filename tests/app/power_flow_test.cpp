@@ -11,8 +11,7 @@ namespace {
 
 /// The meter after some frames of a sixtieth of a second each.
 PowerFlow flowAfter(Scene scene, int frames, double* speed = nullptr) {
-  // What the alarm thinks of so much drag is not the question here.
-  Simulation simulation(scene, findMethod("rk4"), {.threads = 1, .ledger = true, .keepGoing = true});
+  Simulation simulation(scene, findMethod("rk4"), {.threads = 1, .ledger = true});
   PowerMeter meter;
   for (int frame = 0; frame <= frames; ++frame) {
     simulation.advanceTo(frame / 60.0);

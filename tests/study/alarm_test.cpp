@@ -125,5 +125,14 @@ TEST(Alarm, IsNotRaisedByPushesHoweverStrong) {
   EXPECT_EQ(simulation.status(), Status::Ok);
 }
 
+TEST(Alarm, IsNotRaisedByLookingOftenAtAFallThatDragSlows) {
+  Scene scene = freeFall();
+  scene.drag = 20;
+  scene.dt = 0.002;
+  Simulation simulation(scene, findMethod("rk4"), {.threads = 1});
+  for (int frame = 1; frame <= 120; ++frame) simulation.advanceTo(frame / 60.0);
+  EXPECT_EQ(simulation.status(), Status::Ok) << simulation.alarmTime() << " s";
+}
+
 }  // namespace
 }  // namespace tyg::test
