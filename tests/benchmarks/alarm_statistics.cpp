@@ -38,6 +38,7 @@ double soundLimit(const Scene& scene, const Method& method) {
 double gridEnergy(const Simulation& simulation) {
   const Sheet& sheet = simulation.sheet();
   std::vector<Vec3> v;
+  v.reserve(std::size_t(sheet.count()));
   for (int i = 0; i < sheet.count(); ++i) v.push_back(simulation.velocity(i));
   const auto at = [&](int column, int row) { return v[std::size_t(row * sheet.columns + column)]; };
   double sum = 0;
