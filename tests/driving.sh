@@ -53,7 +53,11 @@ eye_moved() { is "($eye_x - $old_x)^2 + ($eye_y - $old_y)^2 + ($eye_z - $old_z)^
 step_past() { is "$dt > $1"; }
 step_below() { is "$dt < $1"; }
 earlier_than() { is "$sim_s < $1"; }
-stands_still() { [[ $state == running ]] && is "$sim_s == ${seen:--1}" || { seen=$sim_s && return 1; }; }
+# Running, and no time passed over eight lines of the log.
+stands_still() {
+  if [[ $state != running || $sim_s != "${seen:-}" ]]; then seen=$sim_s seen_at=$frame; fi
+  ((frame >= seen_at + 8))
+}
 press() { xdotool key --clearmodifiers "$1"; }
 few_frames() {
   look

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 namespace tyg {
 namespace {
@@ -13,7 +14,9 @@ class HintsTest : public testing::Test {
  protected:
   void SetUp() override { std::filesystem::remove_all(folder_); }
   void TearDown() override { std::filesystem::remove_all(folder_); }
-  const std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "tyg_hints_test";
+  const std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) /
+      (std::string("tyg_hints_") + testing::UnitTest::GetInstance()->current_test_info()->name());
   const std::filesystem::path file_ = folder_ / "state" / "hints";
 };
 

@@ -29,7 +29,9 @@ class KeeperTest : public testing::Test {
     text << in.rdbuf();
     return text.str();
   }
-  const std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "tyg_keeper_test";
+  const std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) /
+      (std::string("tyg_keeper_") + testing::UnitTest::GetInstance()->current_test_info()->name());
   Keeper keeper_{folder_};
 };
 
