@@ -121,6 +121,7 @@ TEST(Determinism, FusedPassesGiveTheBitsOfSingleSteps) {
     scene.drag = 0.01;
     scene.pushes.front().duration = 0.01;
     for (const Method& method : methods()) {
+      if (columns > 20 && method.evaluationsPerStep != 1) continue;  // nothing of theirs is fused
       const std::string single = hashAfter(scene, method, Precision::Float, {.threads = 1, .ledger = true}, kFewSteps);
       for (const int threads : {1, 3}) {
         EXPECT_EQ(hashAfter(scene, method, Precision::Float, {.threads = threads}, kFewSteps), single)
