@@ -78,6 +78,7 @@ std::string proofText(const Scene& scene, const Advice& advice) {
 std::string tenTimesText(const Scene& scene, const Advice& advice) {
   if (!advice.tenTimesBetter) return "not to be had with runs that one would wait for";
   const Trial& better = *advice.tenTimesBetter;
+  if (better.scene == advice.promise->scene) return "this choice already is";
   const double ratio = better.seconds / advice.promise->seconds;
   return perFrame(better.seconds, scene.duration) + line(" a frame, %.2g times as much, by\n              ", ratio) +
          settingText(better.scene);

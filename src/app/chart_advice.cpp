@@ -45,7 +45,7 @@ std::string textOf(const Setting& setting) {
                                   : format("step %.3g ms", 1e3 * setting.dt);
 }
 
-Setting settingOf(const WorkRow& row) { return {&findMethod(row.integrator), row.dt, row.tolerance}; }
+Setting settingOf(const WorkRow& row) { return {&findMethod(row.integrator), row.dt, row.tolerance, WorkRow::kNone}; }
 
 std::string errorText(double error, const ChartScale& scale) {
   return format("%.3g mm (%.1e of the size)", 1e3 * error, error / scale.size);

@@ -46,7 +46,8 @@ SettingPlace placeOf(const std::vector<WorkRow>& rows, const Setting& setting) {
     if (here <= rung * kSame && (finer == nullptr || here > rungOf(*finer, method))) finer = &row;
     if (here * kSame >= rung && (coarser == nullptr || here < rungOf(*coarser, method))) coarser = &row;
   }
-  if (finer != nullptr && failed(*finer)) {
+  const bool past = !method.adaptive && setting.dt > setting.limit;
+  if (past || (finer != nullptr && failed(*finer))) {
     return {.kind = Kind::Fails, .error = WorkRow::kNone, .seconds = WorkRow::kNone};
   }
   if (finer == nullptr) {

@@ -13,8 +13,9 @@ namespace tyg {
 /// A method with the step or the tolerance that it is used with.
 struct Setting {
   const Method* method = nullptr;
-  double dt = 0;         ///< s, used by methods of fixed steps
-  double tolerance = 0;  ///< m, used by adaptive ones
+  double dt = 0;                  ///< s, used by methods of fixed steps
+  double tolerance = 0;           ///< m, used by adaptive ones
+  double limit = WorkRow::kNone;  ///< s, the largest stable dt where one is known; NaN: none is
 };
 
 /// The error and the cost of a setting, read between its method's rows.
@@ -24,7 +25,7 @@ struct SettingPlace {
     Between,  ///< two rows, or on one
     Finer,    ///< than all rows: followed at the method's order, down to the floor
     Coarser,  ///< than all rows that held, and none failed there: followed likewise
-    Fails,    ///< rows with such a step failed
+    Fails,    ///< rows with such a step failed, or the step is past its limit
   };
   Kind kind = Kind::Unknown;
   double error = WorkRow::kNone;    ///< E, m; NaN where it is unknown or fails

@@ -62,6 +62,12 @@ TEST(PresentSetting, FailsWhereTheRowsFailed) {
   EXPECT_EQ(rk4At(1).kind, Kind::Fails);
 }
 
+TEST(PresentSetting, FailsPastTheLimitEvenWhereNoRowFailedYet) {
+  const std::vector<WorkRow> rows{heldRow("rk4", 4e-3, rk4Error(4e-3), 0.01), failedRow("rk4", 8e-3)};
+  EXPECT_EQ(placeOf(rows, {&findMethod("rk4"), 5.3e-3, 0, 4.26e-3}).kind, Kind::Fails);
+  EXPECT_EQ(placeOf(rows, {&findMethod("rk4"), 4.2e-3, 0, 4.26e-3}).kind, Kind::Coarser);
+}
+
 TEST(PresentSetting, OfAMethodWithoutRowsIsUnknown) {
   EXPECT_EQ(placeOf(someRows(), {&findMethod("leapfrog"), 1e-3, 0}).kind, Kind::Unknown);
   EXPECT_EQ(placeOf({failedRow("rk4", 8e-3)}, {&findMethod("rk4"), 1e-3, 0}).kind, Kind::Unknown);

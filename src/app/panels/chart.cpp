@@ -63,7 +63,7 @@ class LiveChart final : public Panel {
     const ChartPlot::Contents contents{
         .rows = told.rows,
         .scale = {.duration = viewer.scene().duration, .size = simulation.sheet().size()},
-        .present = {&viewer.method(), simulation.dt(), simulation.scene().tolerance}};
+        .present = {&viewer.method(), simulation.dt(), simulation.scene().tolerance, viewer.margin().limit}};
     const WorkRow* under = plot_.draw(scope, contents, std::round(kPlotHeight * scope.size));
     if (under != nullptr && under->status == RowStatus::Ok && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
       adopt(viewer, settingOf(*under));
