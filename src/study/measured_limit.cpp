@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "tyg/simulation.h"
 
@@ -16,8 +17,8 @@ enum class Outcome { Held, Failed, Unknown };
 
 class Trials {
  public:
-  Trials(const Scene& scene, const Method& method, const MeasurePlan& plan)
-      : scene_(scene), method_(method), plan_(plan) {
+  Trials(Scene scene, const Method& method, const MeasurePlan& plan)
+      : scene_(std::move(scene)), method_(method), plan_(plan) {
     scene_.tolerance = 0;  // adaptive methods take the step they are given
   }
 

@@ -43,7 +43,7 @@ std::string cell(double step) {
 
 std::string firstMode(const StabilityStudy& study, const StabilityCase& entry) {
   const StepLimit& limit = entry.limit;
-  const std::string look = appearanceOf(study.scene, limit);
+  std::string look = appearanceOf(study.scene, limit);
   if (look == "none") return look;
   return look + (limit.outOfPlane ? " out of plane" : " in plane") +
          (limit.byDamping ? " by damping" : " by stiffness") + text(" q=(%.2f %.2f)", limit.qx, limit.qy);

@@ -35,7 +35,7 @@ std::string appearanceOf(const Scene& scene, const StepLimit& limit) {
 }
 
 std::string describe(const Scene& scene, const StepLimit& limit) {
-  const std::string look = appearanceOf(scene, limit);
+  std::string look = appearanceOf(scene, limit);
   if (look == "none") return look;
   std::array<char, 100> q{};
   std::snprintf(q.data(), q.size(), "q = (%.2f, %.2f)", limit.qx, limit.qy);
