@@ -12,7 +12,7 @@ namespace tyg {
 std::span<const Method> methods();
 /// Their names, in the same order.
 std::span<const std::string_view> methodNames();
-/// The method of that name. Throws InputError that lists the names.
-const Method& findMethod(std::string_view name);
+/// The method of that name. Throws InputError that lists the names; `key` is what asked for it.
+const Method& findMethod(std::string_view name, std::string_view key = "integrator");
 
 }  // namespace tyg

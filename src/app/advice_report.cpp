@@ -1,13 +1,11 @@
 // Words and numbers of advice.
 #include "app/advice_report.h"
 
-#include <array>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 
 #include "app/amounts.h"
 #include "app/json.h"
+#include "core/text.h"
 #include "tyg/methods.h"
 #include "tyg/sheet.h"
 
@@ -15,15 +13,6 @@ namespace tyg {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
-[[gnu::format(printf, 1, 2)]] std::string line(const char* format, ...) {
-  std::array<char, 400> text{};
-  std::va_list values;
-  va_start(values, format);
-  std::vsnprintf(text.data(), text.size(), format, values);
-  va_end(values);
-  return text.data();
-}
 
 const char* precisionName(const Scene& scene) { return scene.precision == Precision::Float ? "float" : "double"; }
 
@@ -42,8 +31,8 @@ std::string settingText(const Scene& scene) {
 std::string optionsText(const Scene& scene, int threads) {
   const bool adaptive = findMethod(scene.integrator).adaptive;
   return "--integrator " + scene.integrator +
-         (adaptive ? line(" --tolerance %.4g", scene.tolerance) : line(" --dt %.4g", scene.dt)) + " --precision " +
-         precisionName(scene) + line(" --threads %d", threads);
+         (adaptive ? formatted(" --tolerance %.4g", scene.tolerance) : formatted(" --dt %.4g", scene.dt)) +
+         " --precision " + precisionName(scene) + formatted(" --threads %d", threads);
 }
 
 std::string perFrame(double seconds, double duration) { return timeText(frameSeconds(seconds, duration)); }
@@ -53,19 +42,21 @@ std::string marginText(const Advice& advice) {
   if (findMethod(scene.integrator).adaptive) return "the method chooses its own steps";
   if (std::isnan(advice.limit)) return "this method has no limit here";
   if (advice.limit == 0) return "no step is stable; it only survives the run";
-  return line("the step is at %.0f %% of its limit at rest, ", 100 * scene.dt / advice.limit) + timeText(advice.limit);
+  return formatted("the step is at %.0f %% of its limit at rest, ", 100 * scene.dt / advice.limit) +
+         timeText(advice.limit);
 }
 
 std::string proofText(const Scene& scene, const Advice& advice) {
   if (!advice.proven) return "proof         none: two exact methods do not agree on this scene's motion\n";
   const bool byError = advice.request.error > 0;
-  std::string text = line("%-13s %12s  %12s\n", "", "promised", "achieved");
-  text += line("%-13s %12s  %12s   against the reference\n", "error",
-               (byError && advice.met ? lengthText(advice.request.error) : lengthText(advice.promise->error)).c_str(),
-               lengthText(advice.achieved).c_str());
-  text += line("%-13s %12s  %12s   by the clock, a frame of 1/60 s\n", "cost",
-               perFrame(advice.promise->seconds, scene.duration).c_str(),
-               perFrame(advice.measured, scene.duration).c_str());
+  std::string text = formatted("%-13s %12s  %12s\n", "", "promised", "achieved");
+  text +=
+      formatted("%-13s %12s  %12s   against the reference\n", "error",
+                (byError && advice.met ? lengthText(advice.request.error) : lengthText(advice.promise->error)).c_str(),
+                lengthText(advice.achieved).c_str());
+  text += formatted("%-13s %12s  %12s   by the clock, a frame of 1/60 s\n", "cost",
+                    perFrame(advice.promise->seconds, scene.duration).c_str(),
+                    perFrame(advice.measured, scene.duration).c_str());
   if (advice.secondTry)
     text += "The first choice missed by the proof, with " + lengthText(advice.missed) + "; this is the second.\n";
   if (advice.met) text += advice.held ? "The promise holds.\n" : "The promise does NOT hold.\n";
@@ -80,19 +71,20 @@ std::string tenTimesText(const Scene& scene, const Advice& advice) {
   const Trial& better = *advice.tenTimesBetter;
   if (better.scene == advice.promise->scene) return "this choice already is";
   const double ratio = better.seconds / advice.promise->seconds;
-  return perFrame(better.seconds, scene.duration) + line(" a frame, %.2g times as much, by\n              ", ratio) +
-         settingText(better.scene);
+  return perFrame(better.seconds, scene.duration) +
+         formatted(" a frame, %.2g times as much, by\n              ", ratio) + settingText(better.scene);
 }
 
 }  // namespace
 
 std::string adviceText(const Scene& scene, const Advice& advice) {
-  std::string text = scene.title + line(": %d x %d particles, %.4g s\n", scene.columns, scene.rows, scene.duration) +
+  std::string text = scene.title +
+                     formatted(": %d x %d particles, %.4g s\n", scene.columns, scene.rows, scene.duration) +
                      "asked for     " + requestText(advice.request) + "\n\n";
   if (!advice.promise) return text + "Every run of the study failed: nothing can be advised.\n";
   if (!advice.met) text += "This cannot be met. The nearest that was found:\n";
   text += "use           " + settingText(advice.promise->scene) +
-          line(", %d thread%s\n", advice.threads, advice.threads == 1 ? "" : "s");
+          formatted(", %d thread%s\n", advice.threads, advice.threads == 1 ? "" : "s");
   text += proofText(scene, advice);
   text += "\nstability     " + marginText(advice) + "\n";
   text += "ten times\nbetter        " + tenTimesText(scene, advice) + "\n";

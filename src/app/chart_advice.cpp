@@ -1,26 +1,14 @@
 // The sentences.
 #include "app/chart_advice.h"
 
-#include <array>
-#include <cstdarg>
-#include <cstdio>
-
+#include "core/text.h"
 #include "tyg/methods.h"
 
 namespace tyg {
 namespace {
 
-[[gnu::format(printf, 1, 2)]] std::string format(const char* text, ...) {
-  std::array<char, 160> buffer{};
-  va_list arguments;
-  va_start(arguments, text);
-  std::vsnprintf(buffer.data(), buffer.size(), text, arguments);
-  va_end(arguments);
-  return buffer.data();
-}
-
 /// `1.4`, `23`, `120000` times.
-std::string timesText(double ratio) { return format(ratio < 10 ? "%.1f times" : "%.0f times", ratio); }
+std::string timesText(double ratio) { return formatted(ratio < 10 ? "%.1f times" : "%.0f times", ratio); }
 
 std::string named(const Setting& setting) { return std::string(setting.method->name) + ", " + textOf(setting); }
 
@@ -41,18 +29,18 @@ std::string presentSentence(const SettingPlace& place, const Setting& setting, c
 }  // namespace
 
 std::string textOf(const Setting& setting) {
-  return setting.method->adaptive ? format("tolerance %.3g mm", 1e3 * setting.tolerance)
-                                  : format("step %.3g ms", 1e3 * setting.dt);
+  return setting.method->adaptive ? formatted("tolerance %.3g mm", 1e3 * setting.tolerance)
+                                  : formatted("step %.3g ms", 1e3 * setting.dt);
 }
 
 Setting settingOf(const WorkRow& row) { return {&findMethod(row.integrator), row.dt, row.tolerance, WorkRow::kNone}; }
 
 std::string errorText(double error, const ChartScale& scale) {
-  return format("%.3g mm (%.1e of the size)", 1e3 * error, error / scale.size);
+  return formatted("%.3g mm (%.1e of the size)", 1e3 * error, error / scale.size);
 }
 
 std::string costText(double seconds, const ChartScale& scale) {
-  return format("%.3g ms per simulated second", scale.cost(seconds));
+  return formatted("%.3g ms per simulated second", scale.cost(seconds));
 }
 
 ChartAdvice adviceOn(const std::vector<WorkRow>& rows, const Setting& present, const ChartScale& scale) {
@@ -61,12 +49,12 @@ ChartAdvice adviceOn(const std::vector<WorkRow>& rows, const Setting& present, c
   const BetterRows better = betterThan(rows, place);
   if (better.cheaper != nullptr) {
     advice.better += "Cheaper, and no farther off: " + named(settingOf(*better.cheaper)) +
-                     format(", at %.3g ms, ", scale.cost(better.cheaper->seconds)) +
+                     formatted(", at %.3g ms, ", scale.cost(better.cheaper->seconds)) +
                      timesText(place.seconds / better.cheaper->seconds) + " cheaper. ";
   }
   if (better.closer != nullptr) {
     advice.better += "Closer, and no dearer: " + named(settingOf(*better.closer)) +
-                     format(", error %.3g mm, ", 1e3 * better.closer->rmsError) +
+                     formatted(", error %.3g mm, ", 1e3 * better.closer->rmsError) +
                      timesText(place.error / better.closer->rmsError) + " smaller.";
   }
   return advice;

@@ -51,19 +51,6 @@ constexpr const char* kExamples =
     "  tyg chart curtain --compare before/rows.csv        did my change help?\n\n"
     "Exit codes: 0 done; 1 there is no reference to compare with; 2 wrong input or usage; 130 Ctrl-C.";
 
-std::vector<const Method*> chosenMethods(const ChartOptions& options) {
-  const std::string list = options.methods.empty() ? options.scene.integrator.value_or("") : options.methods;
-  std::vector<const Method*> chosen;
-  for (const std::string& name : splitList(list)) {
-    const Method* method = &findMethod(name);
-    if (std::ranges::find(chosen, method) == chosen.end()) chosen.push_back(method);
-  }
-  if (!chosen.empty()) return chosen;
-  if (!list.empty()) throw InputError("--methods: found no name, allowed are methods' names with commas between");
-  for (const Method& method : methods()) chosen.push_back(&method);
-  return chosen;
-}
-
 std::optional<ErrorRange> chosenRange(const std::string& text) {
   if (text.empty()) return std::nullopt;
   ErrorRange range;
@@ -143,7 +130,7 @@ class Charting {
 
   Study study(const Reference& reference, const std::optional<ErrorRange>& range) {
     StudyPlan plan;
-    plan.methods = chosenMethods(options_);
+    plan.methods = chosenMethods(options_.methods, options_.scene);
     if (options_.scene.precision) plan.precisions = {scene_.precision};
     plan.runBudget = budget();
     plan.lowestError = range ? range->lowest * reference.size : 0;
@@ -205,7 +192,7 @@ WorkChart chartOf(const Reference& reference, const Study& study, const Charting
 int chart(const ChartOptions& options) {
   Scene scene = chosenScene(options.scene);
   if (options.horizon) scene.duration = std::min(scene.duration, *options.horizon);
-  chosenMethods(options);
+  chosenMethods(options.methods, options.scene);
   const std::optional<ErrorRange> range = chosenRange(options.errorRange);
   const std::vector<Grid> grids = chosenSheets(scene, options.sheets);
   const Earlier earlier = readEarlier(scene, options.compare);

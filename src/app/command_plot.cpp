@@ -47,20 +47,8 @@ std::vector<ChartedParticle> chosenParticles(const Scene& scene, const std::stri
   return particles;
 }
 
-std::vector<const Method*> chosenMethods(const PlotOptions& options) {
-  std::string list = options.methods;
-  if (list.empty()) list = options.scene.integrator.value_or(kUsualMethods);
-  std::vector<const Method*> chosen;
-  for (const std::string& name : splitList(list)) {
-    const Method* method = &findMethod(name);
-    if (std::ranges::find(chosen, method) == chosen.end()) chosen.push_back(method);
-  }
-  if (chosen.empty()) throw InputError("--methods: found no name, allowed are methods' names with commas between");
-  return chosen;
-}
-
 TrajectoryStudy followed(const Scene& scene, const PlotOptions& options) {
-  const std::vector<const Method*> methods = chosenMethods(options);
+  const std::vector<const Method*> methods = chosenMethods(options.methods, options.scene, kUsualMethods);
   Progress progress("tyg plot " + scene.name);
   return followParticles(scene, chosenParticles(scene, options.particles), methods, options.scene.threads.value_or(0),
                          [&](std::size_t run, double time) {
@@ -79,7 +67,7 @@ void sayWhatFailed(const TrajectoryStudy& study) {
 
 int plot(const PlotOptions& options) {
   const Scene scene = chosenScene(options.scene);
-  chosenMethods(options);
+  chosenMethods(options.methods, options.scene, kUsualMethods);
   chosenParticles(scene, options.particles);
   const std::vector<std::string> files{"plot.csv", "plot.gp", "plot.svg", "plot.png"};
   const std::filesystem::path folder = preparedFolder(options.out, files);

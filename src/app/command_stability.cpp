@@ -36,23 +36,10 @@ constexpr const char* kExamples =
     "  tyg stability curtain --sheet 40x40 --dt 0.001 --out limits\n\n"
     "Exit codes: 0 done; 2 wrong input or usage; 130 Ctrl-C (nothing is written).";
 
-std::vector<const Method*> chosenMethods(const StabilityOptions& options) {
-  const std::string list = options.methods.empty() ? options.scene.integrator.value_or("") : options.methods;
-  std::vector<const Method*> chosen;
-  for (const std::string& name : splitList(list)) {
-    const Method* method = &findMethod(name);
-    if (std::ranges::find(chosen, method) == chosen.end()) chosen.push_back(method);
-  }
-  if (!chosen.empty()) return chosen;
-  if (!list.empty()) throw InputError("--methods: found no name, allowed are methods' names with commas between");
-  for (const Method& method : methods()) chosen.push_back(&method);
-  return chosen;
-}
-
 int stability(const StabilityOptions& options) {
   const Scene scene = chosenScene(options.scene);
   StabilityPlan plan;
-  plan.methods = chosenMethods(options);
+  plan.methods = chosenMethods(options.methods, options.scene);
   plan.threads = options.scene.threads.value_or(defaultThreads(scene.columns * scene.rows));
   const std::vector<std::string> files{"stability.csv", "stability.gp", "stability.svg", "stability.png"};
   const std::filesystem::path folder = preparedFolder(options.out, files);

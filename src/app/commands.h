@@ -4,7 +4,9 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "tyg/integrator.h"
 #include "tyg/scene.h"
 
 namespace CLI {
@@ -29,6 +31,10 @@ struct SceneOptions {
 void addSceneOptions(CLI::App& command, SceneOptions& options, bool sceneRequired = true);
 /// The scene with the overrides applied. Throws InputError.
 Scene chosenScene(const SceneOptions& options);
+/// The methods that --methods names, each once; where it is empty the one of --integrator, else those of `usual`, else
+/// all. Throws InputError.
+std::vector<const Method*> chosenMethods(const std::string& list, const SceneOptions& options,
+                                         const std::string& usual = {});
 
 // Each adds its subcommand to `app`; when it is chosen, `action` is set.
 void addViewCommand(CLI::App& app, Action& action);

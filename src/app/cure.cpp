@@ -1,10 +1,9 @@
 // See cure.h.
 #include "app/cure.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "core/text.h"
 #include "study/stability.h"
 #include "tyg/methods.h"
 
@@ -22,38 +21,31 @@ bool takes(const Method& method, const Scene& scene) {
   }
 }
 
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  std::array<char, 256> line{};
-  std::snprintf(line.data(), line.size(), format, values...);
-  return line.data();
-}
-
 std::string name(const Method& method) { return std::string(method.name); }
 
 bool chooses(const Simulation& simulation) { return simulation.method().adaptive && simulation.scene().tolerance > 0; }
 
 std::string whatBroke(const Simulation& simulation) {
-  const std::string with = chooses(simulation) ? text("a tolerance of %.4g mm", 1e3 * simulation.scene().tolerance)
-                                               : text("a step of %.4g ms", 1e3 * simulation.dt());
+  const std::string with = chooses(simulation) ? formatted("a tolerance of %.4g mm", 1e3 * simulation.scene().tolerance)
+                                               : formatted("a step of %.4g ms", 1e3 * simulation.dt());
   const bool finite = simulation.status() == Status::Unstable;
   return name(simulation.method()) + " with " + with +
          (finite ? " became unstable" : " left the numbers that can be computed with") +
-         text(" at %.3f s", simulation.alarmTime());
+         formatted(" at %.3f s", simulation.alarmTime());
 }
 
 std::string cause(const Simulation& simulation, double limit) {
   if (chooses(simulation) || !std::isfinite(limit)) return "";
   if (limit == 0) return ": no step holds with so little damping";
-  if (limit <= simulation.dt()) return text(": its limit is %.3g ms", 1e3 * limit);
-  return text(": it kept its limit of %.3g ms at rest, but this cloth is far from rest", 1e3 * limit);
+  if (limit <= simulation.dt()) return formatted(": its limit is %.3g ms", 1e3 * limit);
+  return formatted(": it kept its limit of %.3g ms at rest, but this cloth is far from rest", 1e3 * limit);
 }
 
 std::string waysOut(const Simulation& simulation, const Cure& cure) {
   const std::string other = cure.method != nullptr ? name(*cure.method) : "";
   const std::string holds = other.empty() ? "" : other + ", which holds with this step";
   if (cure.step > 0) {
-    return text("; take a step of %.3g ms", 1e3 * cure.step) + (holds.empty() ? "" : ", or " + holds) + ".";
+    return formatted("; take a step of %.3g ms", 1e3 * cure.step) + (holds.empty() ? "" : ", or " + holds) + ".";
   }
   if (!holds.empty()) return "; take " + holds + ".";
   return chooses(simulation) ? "; take a smaller tolerance." : ".";

@@ -1,39 +1,29 @@
 // Words and numbers of a diet.
 #include "app/diet_report.h"
 
-#include <array>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 
 #include "app/amounts.h"
 #include "app/json.h"
+#include "core/text.h"
 #include "tyg/methods.h"
 
 namespace tyg {
 namespace {
 
-[[gnu::format(printf, 1, 2)]] std::string line(const char* format, ...) {
-  std::array<char, 400> text{};
-  std::va_list values;
-  va_start(values, format);
-  std::vsnprintf(text.data(), text.size(), format, values);
-  va_end(values);
-  return text.data();
-}
-
 const char* precisionName(Precision precision) { return precision == Precision::Float ? "float" : "double"; }
 
 std::string settingWords(const Scene& scene) {
   const bool adaptive = findMethod(scene.integrator).adaptive;
-  return scene.integrator + (adaptive ? line(", tolerance %.3g m, ", scene.tolerance) : line(", %.4g s, ", scene.dt)) +
+  return scene.integrator +
+         (adaptive ? formatted(", tolerance %.3g m, ", scene.tolerance) : formatted(", %.4g s, ", scene.dt)) +
          precisionName(scene.precision);
 }
 
 /// A number in eight characters at most. `least`: below it, rounding is all that is left.
 std::string cell(double number, const char* format = "%.3g", double least = 0) {
   if (!std::isfinite(number)) return "-";
-  return std::abs(number) < least ? "0" : line(format, number);
+  return std::abs(number) < least ? "0" : formatted(format, number);
 }
 
 std::string percent(double fraction) {
@@ -47,10 +37,10 @@ std::string tableLine(const DietRow& row, const Diet& diet, const std::string& w
   constexpr double kLeast = 1e-5, kLeastStretch = 1e-3, kLeastEnergy = 1e-6;  // mm, %, J: below is rounding
   const std::string lost = cell(1e3 * row.lost.rms, "%.3g", kLeast);
   const bool uncertain = !failed && lost != "0" && !row.meant(diet.judgedUpTo);
-  return line("%-20s %9s %8s %7s %7s %9s %6s  %s\n", words.c_str(), ((uncertain ? "~" : "") + lost).c_str(),
-              cell(1e3 * row.lost.largest, "%.3g", kLeast).c_str(),
-              cell(100 * row.maxStretch, "%.3g", kLeastStretch).c_str(), cell(row.sag, "%.3f").c_str(),
-              cell(row.energy, "%.3g", kLeastEnergy).c_str(), percent(row.saved).c_str(), verdict);
+  return formatted("%-20s %9s %8s %7s %7s %9s %6s  %s\n", words.c_str(), ((uncertain ? "~" : "") + lost).c_str(),
+                   cell(1e3 * row.lost.largest, "%.3g", kLeast).c_str(),
+                   cell(100 * row.maxStretch, "%.3g", kLeastStretch).c_str(), cell(row.sag, "%.3f").c_str(),
+                   cell(row.energy, "%.3g", kLeastEnergy).c_str(), percent(row.saved).c_str(), verdict);
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -73,20 +63,20 @@ std::string togetherSentence(const Diet& diet) {
 std::string judgedSentence(const DietFindings& findings) {
   const Diet& diet = findings.diet;
   const double duration = findings.reference.scene.duration;
-  std::string text = line(
+  std::string text = formatted(
       "lost: largest RMS distance from the exact motion over the run; most: of any one\n"
       "particle; within or beyond %s (%.3g %% of the sheet).\n",
       lengthText(diet.within).c_str(), 100 * diet.within / findings.reference.size);
   if (diet.judgedUpTo < duration) {
-    text += line("Judged up to %.3g s of %.3g: from there on a rounding error grows to a tenth of that.\n",
-                 diet.judgedUpTo, duration);
+    text += formatted("Judged up to %.3g s of %.3g: from there on a rounding error grows to a tenth of that.\n",
+                      diet.judgedUpTo, duration);
   }
   return text + "~: rounding errors, as this cloth amplifies them, may be most of it.\n";
 }
 
 std::string needLine(const Need& need, const Diet& diet) {
   const bool lean = need.tooLean(diet.within);
-  std::string text = line("%-20s %9s  ", need.words.c_str(), cell(1e3 * need.change.rms).c_str());
+  std::string text = formatted("%-20s %9s  ", need.words.c_str(), cell(1e3 * need.change.rms).c_str());
   if (std::isnan(need.change.rms)) return text + "its run fails\n";
   return text + (lean ? "TOO LEAN: " : "enough: ") +
          (need.kind == Need::Kind::Sheet ? "the present sheet" : "the present step") +
@@ -99,7 +89,7 @@ std::string needsText(const DietFindings& findings) {
     text += needLine(need, findings.diet);
     constexpr double kGrows = 1.1;
     if (need.kind == Need::Kind::Sheet && findings.byPoints && need.finerStretch > kGrows * need.stretch) {
-      text += line(
+      text += formatted(
           "It hangs by points: the largest stretch grows from %.3g to %.3g %% on the finer\n"
           "sheet and would go on growing. Pin a patch or an edge where that matters.\n",
           100 * need.stretch, 100 * need.finerStretch);
@@ -152,15 +142,15 @@ std::string needJson(const Need& need, const Diet& diet) {
 
 std::string rowCsv(const char* part, const DietRow& row) {
   const Scene& scene = row.scene;
-  std::string text = line("%s,%s,%d,%d,%s,%s,%.17g,%.17g,%s", part, row.words.c_str(), scene.columns, scene.rows,
-                          scene.integrator.c_str(), precisionName(scene.precision), scene.dt, scene.tolerance,
-                          std::string(nameOf(row.status)).c_str());
+  std::string text = formatted("%s,%s,%d,%d,%s,%s,%.17g,%.17g,%s", part, row.words.c_str(), scene.columns, scene.rows,
+                               scene.integrator.c_str(), precisionName(scene.precision), scene.dt, scene.tolerance,
+                               std::string(nameOf(row.status)).c_str());
   for (const double number :
        {row.lost.rms, row.lost.largest, row.floor, row.horizon, row.maxStretch, row.sag, row.energy}) {
-    text += line(",%.17g", number);
+    text += formatted(",%.17g", number);
   }
-  return text +
-         line(",%lld,%.6g,%.6g,%d\n", static_cast<long long>(row.work), row.seconds, row.saved, row.within ? 1 : 0);
+  return text + formatted(",%lld,%.6g,%.6g,%d\n", static_cast<long long>(row.work), row.seconds, row.saved,
+                          row.within ? 1 : 0);
 }
 
 }  // namespace
@@ -168,11 +158,12 @@ std::string rowCsv(const char* part, const DietRow& row) {
 std::string dietTable(const DietFindings& findings) {
   const Diet& diet = findings.diet;
   const Scene& scene = diet.written.scene;
-  std::string text = scene.title + line(": %d x %d particles, %.4g s, ", scene.columns, scene.rows, scene.duration) +
+  std::string text = scene.title +
+                     formatted(": %d x %d particles, %.4g s, ", scene.columns, scene.rows, scene.duration) +
                      settingWords(scene) + "\n\n";
-  text += line("%-20s %9s %8s %7s %7s %9s %6s\n", "one change at a time", "lost", "most", "stretch", "sag", "energy",
-               "saved");
-  text += line("%-20s %9s %8s %7s %7s %9s %6s\n", "", "mm", "mm", "%", "m", "J", "time");
+  text += formatted("%-20s %9s %8s %7s %7s %9s %6s\n", "one change at a time", "lost", "most", "stretch", "sag",
+                    "energy", "saved");
+  text += formatted("%-20s %9s %8s %7s %7s %9s %6s\n", "", "mm", "mm", "%", "m", "J", "time");
   text += tableLine(diet.written, diet, diet.written.words);
   for (const DietRow& row : diet.alone) text += tableLine(row, diet, row.words);
   if (!diet.together.empty()) text += "together\n";
@@ -207,9 +198,9 @@ std::string dietCsv(const DietFindings& findings) {
   for (const DietRow& row : findings.diet.alone) csv += rowCsv("alone", row);
   for (const DietRow& row : findings.diet.together) csv += rowCsv("together", row);
   for (const Need& need : findings.needs) {
-    csv += line("finer,%s,,,,,,,%s,%.17g,%.17g,,,%.17g,,,,,,%d\n", need.words.c_str(),
-                std::isfinite(need.change.rms) ? "ok" : "unstable", need.change.rms, need.change.largest,
-                need.finerStretch, need.tooLean(findings.diet.within) ? 0 : 1);
+    csv += formatted("finer,%s,,,,,,,%s,%.17g,%.17g,,,%.17g,,,,,,%d\n", need.words.c_str(),
+                     std::isfinite(need.change.rms) ? "ok" : "unstable", need.change.rms, need.change.largest,
+                     need.finerStretch, need.tooLean(findings.diet.within) ? 0 : 1);
   }
   return csv;
 }
@@ -222,7 +213,7 @@ std::string leanComment(const DietFindings& findings) {
          lengthText(diet.within) + ".\n" +
          (words.empty() ? std::string("Nothing could be taken away.") : "Changes: " + joined(words) + ".") + "\n" +
          "It loses " + lengthText(diet.leanest().lost.rms) +
-         line(" and saves %.0f %% of the time.", 100 * diet.leanest().saved);
+         formatted(" and saves %.0f %% of the time.", 100 * diet.leanest().saved);
 }
 
 }  // namespace tyg

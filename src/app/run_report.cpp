@@ -2,15 +2,13 @@
 #include "app/run_report.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <limits>
 #include <vector>
 
 #include "app/cure.h"
 #include "app/json.h"
+#include "core/text.h"
 #include "study/idle_terms.h"
 #include "study/stability.h"
 #include "tyg/methods.h"
@@ -20,15 +18,6 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-[[gnu::format(printf, 1, 2)]] std::string line(const char* format, ...) {
-  std::array<char, 1000> text{};
-  std::va_list values;
-  va_start(values, format);
-  std::vsnprintf(text.data(), text.size(), format, values);
-  va_end(values);
-  return text.data();
-}
-
 std::string name(const Method& method) { return std::string(method.name); }
 
 const char* precisionName(const Scene& scene) { return scene.precision == Precision::Float ? "float" : "double"; }
@@ -37,8 +26,8 @@ std::string stableStepLine(const FinishedRun& run) {
   if (std::isnan(run.stableStep)) return "stable step   no limit";
   if (run.stableStep == 0) return "stable step   none: this method needs damping to hold";
   const double share = run.simulation.largestStep() / run.stableStep;
-  return line("stable step   up to %.4g s is predicted for the sheet at rest; this run used %.3g %% of that",
-              run.stableStep, 100 * share);
+  return formatted("stable step   up to %.4g s is predicted for the sheet at rest; this run used %.3g %% of that",
+                   run.stableStep, 100 * share);
 }
 
 /// The moments inside the run at which a scene's push begins or ends.
@@ -55,24 +44,25 @@ std::vector<double> pushEdges(const Scene& scene) {
 }
 
 std::string accuracyAsked(const Simulation& simulation) {
-  if (simulation.method().adaptive) return line("a tolerance of %.6g m", simulation.scene().tolerance);
-  return line("a step of %.6g s", simulation.dt());
+  if (simulation.method().adaptive) return formatted("a tolerance of %.6g m", simulation.scene().tolerance);
+  return formatted("a step of %.6g s", simulation.dt());
 }
 
 std::string sizeAndMethod(const Simulation& simulation) {
   const Scene& scene = simulation.scene();
-  return scene.title + line(": %d x %d particles, %s with %s, %s, %d thread%s", scene.columns, scene.rows,
-                            name(simulation.method()).c_str(), accuracyAsked(simulation).c_str(), precisionName(scene),
-                            simulation.threads(), simulation.threads() == 1 ? "" : "s");
+  return scene.title + formatted(": %d x %d particles, %s with %s, %s, %d thread%s", scene.columns, scene.rows,
+                                 name(simulation.method()).c_str(), accuracyAsked(simulation).c_str(),
+                                 precisionName(scene), simulation.threads(), simulation.threads() == 1 ? "" : "s");
 }
 
 std::string energyLines(const FinishedRun& run) {
   const Ledger& now = run.ledger;
-  std::string text = line("energy        kinetic %.4g J, elastic %.4g J, gravitational %.4g J, work of pushes %.4g J\n",
-                          now.kinetic, now.elastic, now.gravitational, now.work);
+  std::string text =
+      formatted("energy        kinetic %.4g J, elastic %.4g J, gravitational %.4g J, work of pushes %.4g J\n",
+                now.kinetic, now.elastic, now.gravitational, now.work);
   if (run.followsLoss) {
-    text += line("ledger        dissipated %.4g J; drift %.3g of the run's energy scale of %.4g J\n", now.dissipated,
-                 now.drift, now.scale);
+    text += formatted("ledger        dissipated %.4g J; drift %.3g of the run's energy scale of %.4g J\n",
+                      now.dissipated, now.drift, now.scale);
   }
   return text;
 }
@@ -84,7 +74,7 @@ std::string firstToFail(const Scene& scene, const StepLimit& limit) {
 }  // namespace
 
 std::string hashText(const Simulation& simulation) {
-  return line("%016llx", static_cast<unsigned long long>(simulation.hash()));
+  return formatted("%016llx", static_cast<unsigned long long>(simulation.hash()));
 }
 
 std::string runJson(const FinishedRun& run) {
@@ -120,17 +110,17 @@ std::string runSummary(const FinishedRun& run) {
   const Simulation& simulation = run.simulation;
   const auto evaluations = static_cast<double>(simulation.forceEvaluations());
   std::string text = sizeAndMethod(simulation) + "\n";
-  text += line("simulated     %.6g s in %lld steps of at most %.6g s, %lld force evaluations\n", simulation.time(),
-               static_cast<long long>(simulation.steps()), simulation.largestStep(),
-               static_cast<long long>(simulation.forceEvaluations()));
-  text += line("took          %.4g s of stepping", run.seconds);
+  text += formatted("simulated     %.6g s in %lld steps of at most %.6g s, %lld force evaluations\n", simulation.time(),
+                    static_cast<long long>(simulation.steps()), simulation.largestStep(),
+                    static_cast<long long>(simulation.forceEvaluations()));
+  text += formatted("took          %.4g s of stepping", run.seconds);
   if (run.seconds > 0 && evaluations > 0) {
-    text += line(": %.3g times real time, %.3g ns per particle and force evaluation", simulation.time() / run.seconds,
-                 1e9 * run.seconds / evaluations / simulation.sheet().count());
+    text += formatted(": %.3g times real time, %.3g ns per particle and force evaluation",
+                      simulation.time() / run.seconds, 1e9 * run.seconds / evaluations / simulation.sheet().count());
   }
   text += "\n" + energyLines(run);
-  text += line("stretch       springs up to %.3g %% longer than at rest (looked at every 64 steps)\n",
-               100 * run.ledger.maxStretch);
+  text += formatted("stretch       springs up to %.3g %% longer than at rest (looked at every 64 steps)\n",
+                    100 * run.ledger.maxStretch);
   text += stableStepLine(run) + "\n";
   text += "hash          " + hashText(simulation) + "\n";
   text += "status        " + std::string(nameOf(simulation.status())) + "\n";
@@ -142,21 +132,21 @@ std::string runPlan(const Simulation& simulation) {
   const Method& method = simulation.method();
   std::string text = sizeAndMethod(simulation) + "\n";
   if (!scene.shows.empty()) text += scene.shows + "\n";
-  text +=
-      line("springs (ks in N/m, kd in N s/m): structural %.4g, %.4g; shear %.4g, %.4g; bend %.4g, %.4g; %s damping\n",
-           scene.structural.ks, scene.structural.kd, scene.shear.ks, scene.shear.kd, scene.bend.ks, scene.bend.kd,
-           scene.damping == Damping::Relative ? "relative" : "axial");
-  text += line("spacing %.4g m, particle mass %.4g kg, gravity (%.4g, %.4g, %.4g) m/s2, drag %.4g N s/m\n",
-               scene.spacing, scene.particleMass, scene.gravity.x, scene.gravity.y, scene.gravity.z, scene.drag);
-  const std::string evaluations =
-      method.evaluationsPerStep < 0
-          ? "as many force evaluations a step as it needs"
-          : line("%d force evaluation%s a step", method.evaluationsPerStep, method.evaluationsPerStep == 1 ? "" : "s");
-  text += line("%s: %s; order %d, %s\n", name(method).c_str(), std::string(method.scheme).c_str(), method.order,
-               evaluations.c_str());
+  text += formatted(
+      "springs (ks in N/m, kd in N s/m): structural %.4g, %.4g; shear %.4g, %.4g; bend %.4g, %.4g; %s damping\n",
+      scene.structural.ks, scene.structural.kd, scene.shear.ks, scene.shear.kd, scene.bend.ks, scene.bend.kd,
+      scene.damping == Damping::Relative ? "relative" : "axial");
+  text += formatted("spacing %.4g m, particle mass %.4g kg, gravity (%.4g, %.4g, %.4g) m/s2, drag %.4g N s/m\n",
+                    scene.spacing, scene.particleMass, scene.gravity.x, scene.gravity.y, scene.gravity.z, scene.drag);
+  const std::string evaluations = method.evaluationsPerStep < 0
+                                      ? "as many force evaluations a step as it needs"
+                                      : formatted("%d force evaluation%s a step", method.evaluationsPerStep,
+                                                  method.evaluationsPerStep == 1 ? "" : "s");
+  text += formatted("%s: %s; order %d, %s\n", name(method).c_str(), std::string(method.scheme).c_str(), method.order,
+                    evaluations.c_str());
   const std::vector<double> edges = pushEdges(scene);
   for (std::size_t k = 1; k < edges.size(); ++k) {
-    text += line("span %zu: %.6g s to %.6g s\n", k, edges[k - 1], edges[k]);
+    text += formatted("span %zu: %.6g s to %.6g s\n", k, edges[k - 1], edges[k]);
   }
   for (const std::string& idle : idleTerms(scene)) text += "note: changes nothing visible: " + idle + "\n";
   return text;
@@ -168,19 +158,20 @@ std::string failureAdvice(const FinishedRun& run) {
   const double step = simulation.largestStep(), limit = run.stableStep;
   const bool finite = simulation.status() == Status::Unstable;
   const std::string what =
-      line("%s with steps of %.6g s %s at t = %.6g s. ", name(method).c_str(), step,
-           finite ? "became unstable (the cloth gained energy by itself)" : "left the range of the numbers",
-           simulation.alarmTime());
-  if (method.adaptive) return what + line("Try --tolerance %.2g", simulation.scene().tolerance / 10) + ".";
-  if (std::isnan(limit)) return what + line("No limit is predicted for it. Try --dt %.2g.", roundedDown(step / 2));
+      formatted("%s with steps of %.6g s %s at t = %.6g s. ", name(method).c_str(), step,
+                finite ? "became unstable (the cloth gained energy by itself)" : "left the range of the numbers",
+                simulation.alarmTime());
+  if (method.adaptive) return what + formatted("Try --tolerance %.2g", simulation.scene().tolerance / 10) + ".";
+  if (std::isnan(limit)) return what + formatted("No limit is predicted for it. Try --dt %.2g.", roundedDown(step / 2));
   const StepLimit said = stepLimit(simulation.scene(), method, true);
   if (limit >= step) {
     const bool certified = said.certified > 0 && said.certified < step;
     return what +
-           line("The predicted limit of the sheet at rest, %.4g s, was kept, but a cloth far from rest allows less. ",
-                limit) +
-           (certified ? line("Try --dt %.2g, which holds in any deformation.", roundedDown(said.certified))
-                      : line("Try --dt %.2g.", roundedDown(step / 2)));
+           formatted(
+               "The predicted limit of the sheet at rest, %.4g s, was kept, but a cloth far from rest allows less. ",
+               limit) +
+           (certified ? formatted("Try --dt %.2g, which holds in any deformation.", roundedDown(said.certified))
+                      : formatted("Try --dt %.2g.", roundedDown(step / 2)));
   }
   const Method* other = methodThatHolds(simulation.scene(), method, step);
   const std::string advice =
@@ -190,8 +181,8 @@ std::string failureAdvice(const FinishedRun& run) {
            firstToFail(simulation.scene(), said) + ". Try " +
            (advice.empty() ? "another method with a smaller step" : advice) + ".";
   }
-  return what + line("The predicted limit at rest is %.4g s; ", limit) + firstToFail(simulation.scene(), said) +
-         line(". Try --dt %.2g", roundedDown(0.9 * limit)) + (advice.empty() ? "" : ", or " + advice) + ".";
+  return what + formatted("The predicted limit at rest is %.4g s; ", limit) + firstToFail(simulation.scene(), said) +
+         formatted(". Try --dt %.2g", roundedDown(0.9 * limit)) + (advice.empty() ? "" : ", or " + advice) + ".";
 }
 
 }  // namespace tyg

@@ -1,5 +1,6 @@
 // The options that every simulating command shares: which scene, and what the command line changes in it.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "app/commands.h"
 #include "app/option_checks.h"
@@ -89,6 +90,20 @@ Scene chosenScene(const SceneOptions& options) {
   scene.tolerance = options.tolerance.value_or(scene.tolerance);
   scene.duration = options.duration.value_or(scene.duration);
   return scene;
+}
+
+std::vector<const Method*> chosenMethods(const std::string& list, const SceneOptions& options,
+                                         const std::string& usual) {
+  const std::string names = list.empty() ? options.integrator.value_or(usual) : list;
+  std::vector<const Method*> chosen;
+  for (const std::string& name : splitList(names)) {
+    const Method* method = &findMethod(name, "--methods");
+    if (std::ranges::find(chosen, method) == chosen.end()) chosen.push_back(method);
+  }
+  if (!chosen.empty()) return chosen;
+  if (!names.empty()) throw InputError("--methods: found no name, allowed are methods' names with commas between");
+  for (const Method& method : methods()) chosen.push_back(&method);
+  return chosen;
 }
 
 }  // namespace tyg

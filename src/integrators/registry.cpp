@@ -49,13 +49,13 @@ constexpr auto kNames = [] {
 std::span<const Method> methods() { return kMethods; }
 std::span<const std::string_view> methodNames() { return kNames; }
 
-const Method& findMethod(std::string_view name) {
+const Method& findMethod(std::string_view name, std::string_view key) {
   for (const Method& method : kMethods) {
     if (method.name == name) return method;
   }
   std::string allowed;
   for (const std::string_view known : kNames) allowed += (allowed.empty() ? "" : ", ") + std::string(known);
-  throw InputError("integrator: found \"" + std::string(name) + "\", allowed: " + allowed);
+  throw InputError(std::string(key) + ": found \"" + std::string(name) + "\", allowed: " + allowed);
 }
 
 }  // namespace tyg

@@ -3,24 +3,14 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <vector>
 
+#include "core/text.h"
 #include "study/measured_limit.h"
 #include "study/stability_study.h"
 
 namespace tyg {
 namespace {
-
-[[gnu::format(printf, 1, 2)]] std::string text(const char* format, ...) {
-  std::array<char, 400> line{};
-  std::va_list values;
-  va_start(values, format);
-  std::vsnprintf(line.data(), line.size(), format, values);
-  va_end(values);
-  return line.data();
-}
 
 std::string name(const StabilityCase& entry) { return std::string(entry.method->name); }
 const char* dampingOf(const StabilityCase& entry) { return entry.damped ? "scene" : "none"; }
@@ -38,7 +28,7 @@ std::string field(double step) {
 std::string cell(double step) {
   if (std::isnan(step)) return "-";
   if (std::isinf(step)) return "all";
-  return step == 0 ? "none" : text("%.4g", 1e3 * step);
+  return step == 0 ? "none" : formatted("%.4g", 1e3 * step);
 }
 
 std::string firstMode(const StabilityStudy& study, const StabilityCase& entry) {
@@ -46,7 +36,7 @@ std::string firstMode(const StabilityStudy& study, const StabilityCase& entry) {
   std::string look = appearanceOf(study.scene, limit);
   if (look == "none") return look;
   return look + (limit.outOfPlane ? " out of plane" : " in plane") +
-         (limit.byDamping ? " by damping" : " by stiffness") + text(" q=(%.2f %.2f)", limit.qx, limit.qy);
+         (limit.byDamping ? " by damping" : " by stiffness") + formatted(" q=(%.2f %.2f)", limit.qx, limit.qy);
 }
 
 std::string tableLine(const StabilityStudy& study, const StabilityCase& entry) {
@@ -54,8 +44,9 @@ std::string tableLine(const StabilityStudy& study, const StabilityCase& entry) {
   std::string first = appearanceOf(study.scene, limit);
   if (first != "none")
     first += std::string(limit.outOfPlane ? ", out of plane" : "") + (limit.byDamping ? ", damping" : ", stiffness");
-  return text("%-16s  %-7s %9s %9s %9s %9s   ", name(entry).c_str(), dampingOf(entry), cell(limit.predicted).c_str(),
-              cell(limit.certified).c_str(), cell(entry.atRest).c_str(), cell(entry.inMotion).c_str()) +
+  return formatted("%-16s  %-7s %9s %9s %9s %9s   ", name(entry).c_str(), dampingOf(entry),
+                   cell(limit.predicted).c_str(), cell(limit.certified).c_str(), cell(entry.atRest).c_str(),
+                   cell(entry.inMotion).c_str()) +
          first + "\n";
 }
 
@@ -76,15 +67,15 @@ std::string wrapped(const std::string& words) {
 std::string explicitNote(const StabilityStudy& study, const StabilityCase& entry) {
   const double w2 = entry.limit.mode.w2, seconds = study.scene.duration;
   constexpr double kGrowth = 1000;
-  std::string note = text(
+  std::string note = formatted(
       "explicit-euler without damping: no step is stable. Each multiplies the fastest mode by sqrt(1 + h^2 w^2), "
       "w = %.4g /s, so that over T seconds a growth by G is survived only below h = 2 ln(G) / (w^2 T): %.3g ms for "
       "G = 1000 in %.3g s.",
       std::sqrt(w2), 1e3 * survivedStep(w2, seconds, kGrowth), seconds);
   if (entry.inMotion > 0 && std::isfinite(entry.inMotion)) {
     const double decades = entry.inMotion * w2 * seconds / 2 / std::log(10.0);
-    note += text(" The %.3g ms that held had it grow by 10^%.1f, from rounding and buckling.", 1e3 * entry.inMotion,
-                 decades);
+    note += formatted(" The %.3g ms that held had it grow by 10^%.1f, from rounding and buckling.",
+                      1e3 * entry.inMotion, decades);
   }
   return note;
 }
@@ -135,8 +126,8 @@ std::string stabilityCsv(const StabilityStudy& study) {
 }
 
 std::string stabilityTable(const StabilityStudy& study) {
-  std::string table = text("Largest stable steps of %s, %d x %d particles, in ms\n\n", study.scene.title.c_str(),
-                           study.scene.columns, study.scene.rows);
+  std::string table = formatted("Largest stable steps of %s, %d x %d particles, in ms\n\n", study.scene.title.c_str(),
+                                study.scene.columns, study.scene.rows);
   table += "                                                    measured\n";
   table += "method            damping predicted certified   at rest in motion   first to fail, set by\n";
   for (const StabilityCase& entry : study.cases) table += tableLine(study, entry);

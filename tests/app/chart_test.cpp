@@ -134,7 +134,7 @@ TEST(Chart, AnInterruptKeepsTheRowsSoFar) {
   Outcome outcome;
   for (const char* seconds : {"1.5", "6", "24"}) {  // of about 60: when a busy machine has some rows, not all
     outcome = tyg("chart curtain --sheet 3x3 --duration 0.05 --out " + (folder / "").string(),
-                  std::string("timeout --preserve-status --signal INT ") + seconds);
+                  std::string("timeout --foreground --preserve-status --signal INT ") + seconds);
     ASSERT_EQ(outcome.code, 130) << outcome.err;
     if (holds(outcome.err, "rows so far")) break;
   }

@@ -68,8 +68,8 @@ TEST(DietCommand, WrongTolerancesAreRefused) {
 
 TEST(DietCommand, AnInterruptLeavesNothing) {
   const Folder folder;
-  const Outcome outcome =
-      tyg("diet curtain --sheet 60x60 --out " + (folder / "").string(), "timeout --preserve-status --signal INT 1");
+  const Outcome outcome = tyg("diet curtain --sheet 60x60 --out " + (folder / "").string(),
+                              "timeout --foreground --preserve-status --signal INT 1");
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_EQ(folder.fileCount(), 0U);
 }

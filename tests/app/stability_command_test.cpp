@@ -43,7 +43,7 @@ TEST(Stability, InterruptedWritesNothing) {
   const Folder folder;
   // All methods on a sheet of this size take minutes.
   const Outcome outcome = tyg("stability curtain --sheet 60x60 --out " + (folder / "").string(),
-                              "timeout --preserve-status --signal INT 1.5");
+                              "timeout --foreground --preserve-status --signal INT 1.5");
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_TRUE(holds(outcome.err, "nothing was written")) << outcome.err;
   EXPECT_EQ(folder.fileCount(), 0U);
