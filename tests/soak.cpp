@@ -37,7 +37,7 @@ class Soak {
     int width = 0, height = 0;
     ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
     panels_ = std::make_unique<Panels>(18.0F, viewer_);
-    viewer_.resize(size_, 0);
+    viewer_.resize(size_, margins());
   }
   ~Soak() {
     panels_.reset();
@@ -82,13 +82,17 @@ class Soak {
   bool chance(double share) { return std::uniform_real_distribution<double>(0, 1)(random_) < share; }
   int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
 
+  [[nodiscard]] Margins margins() const {
+    return {.left = int(panels_->width(Edge::Left)), .right = int(panels_->width(Edge::Right))};
+  }
+
   void frame() {
     frameTime_ = std::max(frameTime_ + kFrame, frameTime_ + kHurry * (real() - frameStart_));
     frameStart_ = real();
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {float(size_.width), float(size_.height)};
     io.DeltaTime = float(kFrame);
-    viewer_.resize(size_, 0);
+    viewer_.resize(size_, margins());
     viewer_.frame();
     panels_->follow(viewer_);
     ImGui::NewFrame();

@@ -70,13 +70,23 @@ std::string whatIsAllowed(const CLI::App& command) {
   return joined(names);
 }
 
-/// CLI11 says what is wrong; this adds what is allowed and where it is explained.
+/// An option among what could not be placed; empty where there is none.
+std::string unknownOption(const CLI::App& command) {
+  const std::vector<std::string> left = command.remaining(true);
+  const auto found = std::ranges::find_if(left, [](const std::string& word) { return word.starts_with("-"); });
+  return found == left.end() ? std::string() : *found;
+}
+
+/// CLI11 says what is wrong; this adds what is allowed and where it is explained. It misses SCENE before it minds an
+/// unknown option, which is what the person sees.
 int explain(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   const CLI::App& command = chosen.empty() ? app : *chosen.front();
   const std::string name = chosen.empty() ? "tyg" : "tyg " + command.get_name();
-  std::cerr << name << ": " << error.what();
-  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
+  const bool missing = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError);
+  const std::string unknown = missing ? unknownOption(command) : std::string();
+  std::cerr << name << ": " << (unknown.empty() ? error.what() : "The following argument was not expected: " + unknown);
+  if (!unknown.empty() || error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
     std::cerr << "\nAllowed: " << whatIsAllowed(command);
   }
   std::cerr << "\nTry: " << name << " --help" << std::endl;

@@ -47,9 +47,11 @@ struct ViewOptions {
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
+std::string titleOf(const Scene& scene) { return "Tyg: " + scene.title; }
+
 std::unique_ptr<Window> openWindow(const ViewOptions& options, const Scene& scene) {
   const auto [width, height] = parsePair(options.size);
-  const WindowOptions wanted{.title = "Tyg: " + scene.title, .size = {.width = width, .height = height}};
+  const WindowOptions wanted{.title = titleOf(scene), .size = {.width = width, .height = height}};
   return options.window == "glut" ? openGlutWindow(wanted) : openGlfwWindow(wanted);
 }
 
@@ -72,7 +74,7 @@ class View {
     while (!window_->closeRequested() && !viewer_.leaving() && !interrupted()) {
       const double began = now();
       takeEvents();
-      viewer_.resize(window_->framebuffer(), margin());
+      viewer_.resize(window_->framebuffer(), margins());
       const bool moving = !viewer_.idle() || panels_.busy();
       viewer_.frame();
       panels_.follow(viewer_);
@@ -150,15 +152,17 @@ class View {
     }
   }
 
-  /// Pixels at each side that are not the cloth's.
-  [[nodiscard]] int margin() const {
-    const int panels = static_cast<int>(std::max(panels_.width(Edge::Left), panels_.width(Edge::Right)));
-    return std::max(panels, viewer_.showsHelp() ? hud_.margin() : 0);
+  /// Where an edge has panels, they are there instead of the keys.
+  [[nodiscard]] Margins margins() const {
+    const int keys = viewer_.showsHelp() ? hud_.margin() : 0;
+    const auto at = [&](Edge edge) { return panels_.width(edge) > 0 ? static_cast<int>(panels_.width(edge)) : keys; };
+    return {.left = at(Edge::Left), .right = at(Edge::Right)};
   }
 
   void drawSheet() {
     if (drawnSheet_ != viewer_.sheetsSoFar()) {
       renderer_ = std::make_unique<SheetRenderer>(viewer_.simulation().sheet());
+      window_->setTitle(titleOf(viewer_.scene()));
       drawnSheet_ = viewer_.sheetsSoFar();
     }
     ClothPicture picture{.options = viewer_.drawOptions()};

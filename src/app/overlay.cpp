@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "app/panels/style.h"
+#include "app/wrapped.h"
 
 namespace tyg {
 namespace {
@@ -58,12 +59,19 @@ constexpr float kButtonHeight = 1.7F, kButtonGap = 0.5F;  // in sizes of the tex
 
 }  // namespace
 
+std::string Pen::linesOf(std::string_view text, float wrap) const {
+  if (!(wrap > 0)) return std::string(text);
+  return wrapped(text, wrap, [this](std::string_view part) { return extent(part).x; });
+}
+
 ImVec2 Pen::extent(std::string_view text, float wrap) const {
-  return font->CalcTextSizeA(size, 1e6F, wrap, text.data(), text.data() + text.size());
+  const std::string lines = linesOf(text, wrap);
+  return font->CalcTextSizeA(size, 1e6F, wrap, lines.data(), lines.data() + lines.size());
 }
 
 void Pen::write(ImVec2 at, ImU32 colour, std::string_view text, float wrap) const {
-  list->AddText(font, size, at, colour, text.data(), text.data() + text.size(), wrap);
+  const std::string lines = linesOf(text, wrap);
+  list->AddText(font, size, at, colour, lines.data(), lines.data() + lines.size(), wrap);
 }
 
 void Pen::shade(ImVec2 from, ImVec2 to) const {

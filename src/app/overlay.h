@@ -20,10 +20,14 @@ struct Pen {
   float size;  ///< of the text, in ImGui's units
   Background background;
 
+  /// `wrap`, where it is above 0: the width at which lines are broken.
   [[nodiscard]] ImVec2 extent(std::string_view text, float wrap = 0) const;
   void write(ImVec2 at, ImU32 colour, std::string_view text, float wrap = 0) const;
   /// A rounded ground for text between these corners, so that it can be read over the cloth.
   void shade(ImVec2 from, ImVec2 to) const;
+
+ private:
+  [[nodiscard]] std::string linesOf(std::string_view text, float wrap) const;
 };
 
 /// The step beside its limit, as a bar from 0 to 1.25 of the limit with a tick at the limit and hatching beyond it:

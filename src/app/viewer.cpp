@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "app/room.h"
 #include "tyg/methods.h"
@@ -93,6 +94,7 @@ void Viewer::handle(const WindowEvent& event) {
         break;
       case WindowEvent::Kind::Scroll:
         camera_.approach(static_cast<float>(event.notches));
+        cameraMoved_ = true;
         break;
       case WindowEvent::Kind::FocusLost:
         held_.fill(false);
@@ -236,7 +238,9 @@ void Viewer::keepPushing() {
 void Viewer::moveCursor(glm::vec2 cursor) {
   const glm::vec2 moved = cursor - cursor_;
   cursor_ = cursor;
-  if (held(Look)) camera_.turn(moved.x, moved.y);
+  if (!held(Look)) return;
+  camera_.turn(moved.x, moved.y);
+  cameraMoved_ = true;
 }
 
 Motion Viewer::motion() const {
@@ -244,23 +248,35 @@ Motion Viewer::motion() const {
   return {.right = along(MoveRight, MoveLeft), .up = along(MoveUp, MoveDown), .forward = along(MoveForward, MoveBack)};
 }
 
-void Viewer::resize(Extent pixels, int margin) {
+void Viewer::resize(Extent pixels, Margins margins) {
+  if (pixels == pixels_ && margins == margins_) return;
   pixels_ = pixels;
-  margin_ = margin;
-  if (!framed_ && pixels.width > 0 && pixels.height > 0) frameCloth();
+  margins_ = margins;
+  if (pixels.width <= 0 || pixels.height <= 0) return;
+  if (!framed_) return frameCloth();
+  if (!cameraMoved_) return fitView();
+  const float before = std::exchange(aside_, aside());
+  camera_.slide(aside_ - before);
 }
 
 void Viewer::frameCloth() {
-  if (pixels_.width <= 0 || pixels_.height <= 0) return;
-  const int free = std::max(pixels_.width / 3, pixels_.width - 2 * margin_);
-  const float aspect = float(free) / float(pixels_.height);
-  if (simulation_.ticks() > 0) {
-    camera_.frame(box_, aspect);
-  } else {
-    camera_.frame(room_, aspect);
-  }
-  framed_ = true;
+  camera_.watch(box_);
+  const auto corners = box_.corners();
+  inView_ = simulation_.ticks() > 0 ? std::vector(corners.begin(), corners.end()) : room_;
+  fitView();
 }
+
+/// Of the window's free part.
+void Viewer::fitView() {
+  if (pixels_.width <= 0 || pixels_.height <= 0) return;
+  const int free = std::max(pixels_.width / 3, pixels_.width - margins_.left - margins_.right);
+  aside_ = aside();
+  camera_.frame(inView_, float(free) / float(pixels_.height), aside_);
+  framed_ = true;
+  cameraMoved_ = false;
+}
+
+float Viewer::aside() const { return 0.5F * float(margins_.left - margins_.right) / float(pixels_.height); }
 
 bool Viewer::idle() const {
   const Motion keys = motion();
@@ -273,7 +289,9 @@ void Viewer::frame() {
   const double seconds = now - lastFrame_;
   lastFrame_ = now;
   camera_.watch(box_);
-  camera_.move(motion(), static_cast<float>(seconds));
+  const Motion keys = motion();
+  camera_.move(keys, static_cast<float>(seconds));
+  cameraMoved_ = cameraMoved_ || keys.right != 0 || keys.up != 0 || keys.forward != 0;
   repeatHeldKey();
   moveCloth(seconds);
   stepMargin_.look(simulation_, clock_);

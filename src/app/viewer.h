@@ -47,6 +47,12 @@ using StepText = std::array<char, 48>;
 /// `step of 2 ms`, or `tolerance of 0.1 mm` for a method that chooses its own steps. Allocates nothing.
 void describeStep(const Simulation& simulation, StepText& text);
 
+/// Pixels at the sides of the window that panels and keys take.
+struct Margins {
+  int left = 0, right = 0;
+  bool operator==(const Margins&) const = default;
+};
+
 class Viewer {
  public:
   using Clock = std::function<double()>;                          ///< s, from any start
@@ -60,9 +66,10 @@ class Viewer {
   void perform(InputAction action);
   /// Pauses at the kept moment nearest to this time, s.
   void turnToTime(double time);
-  /// Size of the window. The first one that is not empty frames the cloth, as F does, leaving `margin` pixels free on
-  /// the left and on the right (but a third of the window is the cloth's in any case).
-  void resize(Extent pixels, int margin);
+  /// Size of the window, and what of it is not the cloth's. The first one that is not empty frames the cloth in the
+  /// rest (a third of the window in any case), as F does. So do later ones, until the person moves the camera: from
+  /// then on the cloth stays as large as it is, and slides to the middle of what is free.
+  void resize(Extent pixels, Margins margins);
   /// Once a frame: moves the camera and the cloth to the present time.
   void frame();
   /// Freezes and shows the text: for what is thrown by those who draw and log.
@@ -151,6 +158,7 @@ class Viewer {
   void keepPushing();
   void moveCursor(glm::vec2 cursor);
   void frameCloth();
+  void fitView();
   void repeatHeldKey();
   void moveCloth(double frameSeconds);
   int run(std::int64_t ticks, double seconds);
@@ -162,6 +170,7 @@ class Viewer {
   void measure(double frameSeconds, double simulatingSeconds);
   [[nodiscard]] bool held(InputAction action) const { return held_.at(static_cast<std::size_t>(action)); }
   [[nodiscard]] Motion motion() const;
+  [[nodiscard]] float aside() const;
 
   Scene scene_;
   Settings settings_;
@@ -173,7 +182,9 @@ class Viewer {
   MarginWatch stepMargin_;
   RunState state_ = RunState::Waiting;
   int sheetsSoFar_ = 1;
-  int margin_ = 0;
+  Margins margins_;
+  std::vector<glm::vec3> inView_;  ///< what was framed
+  float aside_ = 0;                ///< heights of the window from its middle to the middle of what is free
   int picked_ = -1, pushes_ = 0;
   bool leaving_ = false;
   bool woken_ = false;      ///< this frame ends an idle time
@@ -181,6 +192,7 @@ class Viewer {
   bool breaking_ = false;   ///< runs on past its alarm
   bool replaying_ = false;  ///< the past is shown again, slowly
   bool framed_ = false;
+  bool cameraMoved_ = false;  ///< by the person, since the cloth was framed
   bool help_ = true;
 
   double lastFrame_ = 0;           ///< s, of the clock

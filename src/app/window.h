@@ -60,6 +60,7 @@ class Window {
   virtual std::span<const WindowEvent> events(double seconds) = 0;
   /// Shows what was drawn; waits for the screen where it has a rhythm.
   virtual void swap() = 0;
+  virtual void setTitle(const std::string& title) = 0;
   [[nodiscard]] virtual Extent framebuffer() const = 0;
   [[nodiscard]] virtual double contentScale() const = 0;  ///< of texts on this screen; 1 on an ordinary one
   [[nodiscard]] virtual bool closeRequested() const = 0;  ///< the window's own close button was used

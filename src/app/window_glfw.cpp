@@ -92,6 +92,7 @@ class GlfwWindow final : public Window {
     return events_;
   }
   void swap() override { glfwSwapBuffers(window_); }
+  void setTitle(const std::string& title) override { glfwSetWindowTitle(window_, title.c_str()); }
 
   [[nodiscard]] Extent framebuffer() const override {
     Extent extent;

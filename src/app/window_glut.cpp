@@ -99,6 +99,9 @@ class GlutWindow final : public Window {
   void swap() override {
     if (!closed_) glutSwapBuffers();
   }
+  void setTitle(const std::string& title) override {
+    if (!closed_) glutSetWindowTitle(title.c_str());
+  }
   [[nodiscard]] Extent framebuffer() const override {
     if (closed_ || hidden_) return {};
     return {.width = glutGet(GLUT_WINDOW_WIDTH), .height = glutGet(GLUT_WINDOW_HEIGHT)};

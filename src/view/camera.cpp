@@ -46,21 +46,34 @@ void Camera::watch(const Box& cloth) {
   keepInReach();
 }
 
-void Camera::frame(const Box& cloth, float aspect) {
+void Camera::frame(const Box& cloth, float aspect, float aside) {
   watch(cloth);
   const auto corners = cloth_.corners();
-  frame(std::span<const glm::vec3>(corners), aspect);
+  frame(std::span<const glm::vec3>(corners), aspect, aside);
 }
 
-void Camera::frame(std::span<const glm::vec3> points, float aspect) {
+/// Of a line of sight through a place so many heights of the picture to the right of its middle; 0 where they are not
+/// finite.
+float Camera::slopeOf(float heights) const {
+  return std::isfinite(heights) ? 2 * std::tan(fieldOfView_ / 2) * heights : 0;
+}
+
+void Camera::slide(float heights) {
+  eye_ = finiteOr(eye_ - slopeOf(heights) * distance() * right(), eye_);
+  keepInReach();
+}
+
+void Camera::frame(std::span<const glm::vec3> points, float aspect, float aside) {
   // A point p is inside the side planes where |across(p) - across(eye)| <= slope (depth(p) - depth(eye)). The eye that
   // just satisfies this for all points is found for both axis pairs; the one that lies farther back satisfies both.
+  // Across is measured from the slanted plane through the middle of the free part, where there is one.
   const float slopeY = std::tan(fieldOfView_ / 2) / kMargin;
   const float slopeX = slopeY * (aspect > 0 && std::isfinite(aspect) ? aspect : 1.0F);
+  const float slant = slopeOf(aside);
   Reach x, y;
   for (const glm::vec3& p : points) {
     const float depth = glm::dot(p, forward());
-    x.include(glm::dot(p, right()), depth, slopeX);
+    x.include(glm::dot(p, right()) - slant * depth, depth, slopeX);
     y.include(glm::dot(p, up()), depth, slopeY);
   }
   if (!finite(x.eyeAcross(), y.eyeAcross())) {
@@ -68,12 +81,13 @@ void Camera::frame(std::span<const glm::vec3> points, float aspect) {
   }
   // A cloth without extent still gets some room.
   const float back = std::min(x.eyeDepth(slopeX), y.eyeDepth(slopeY)) - 0.05F * cloth_.size();
-  eye_ = finiteOr(x.eyeAcross() * right() + y.eyeAcross() * up() + back * forward(), eye_);
-  centre(points);
+  const float across = x.eyeAcross() + slant * back;
+  eye_ = finiteOr(across * right() + y.eyeAcross() * up() + back * forward(), eye_);
+  centre(points, slant);
   keepInReach();
 }
 
-void Camera::centre(std::span<const glm::vec3> points) {
+void Camera::centre(std::span<const glm::vec3> points, float slant) {
   // The axis that did not decide the distance has room to spare; a few rounds share it out evenly on both sides.
   for (int round = 0; round < 6; ++round) {
     glm::vec2 low(1e9F), high(-1e9F);
@@ -83,7 +97,7 @@ void Camera::centre(std::span<const glm::vec3> points) {
                              std::max(glm::dot(away, forward()), 0.01F * cloth_.size());
       low = glm::min(low, seen), high = glm::max(high, seen);
     }
-    const glm::vec2 shift = distance() * 0.5F * (low + high);
+    const glm::vec2 shift = distance() * (0.5F * (low + high) - glm::vec2(slant, 0));
     eye_ = finiteOr(eye_ + shift.x * right() + shift.y * up(), eye_);
   }
 }

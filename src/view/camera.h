@@ -24,10 +24,13 @@ class Camera {
   /// Where the cloth is now: speed, nearest and farthest distance drawn follow it. Once a frame.
   void watch(const Box& cloth);
   /// Moves the eye, keeping its direction, so that the box just fits a window of this aspect (width / height, > 0) with
-  /// a margin; watches that box as well.
-  void frame(const Box& cloth, float aspect);
+  /// a margin; watches that box as well. `aside`: the middle of that window lies so far to the right of the middle of
+  /// the picture, in heights of the picture: for a part of it that is free.
+  void frame(const Box& cloth, float aspect, float aside = 0);
   /// The same for points (closer than their box would allow). No points: nothing happens.
-  void frame(std::span<const glm::vec3> points, float aspect);
+  void frame(std::span<const glm::vec3> points, float aspect, float aside = 0);
+  /// Moves sideways, so that the cloth is seen `heights` of the picture farther to the right.
+  void slide(float heights);
 
   /// Looks along this direction. yaw in radians (0 looks to -z, positive turns right), pitch in radians (positive up,
   /// clamped to 89 degrees). Values that are not finite are ignored.
@@ -58,7 +61,8 @@ class Camera {
   [[nodiscard]] float farthest() const;
 
  private:
-  void centre(std::span<const glm::vec3> points);
+  void centre(std::span<const glm::vec3> points, float slant);
+  [[nodiscard]] float slopeOf(float heights) const;
   void keepInReach();
 
   glm::vec3 eye_{1.6F, 0.8F, 2.4F};

@@ -66,6 +66,16 @@ TEST(CommandLine, AnUnknownOptionIsRefusedWithTheAllowedOnes) {
   EXPECT_TRUE(outcome.out.empty());
 }
 
+TEST(CommandLine, AnUnknownOptionIsNamedEvenWhereTheSceneIsMissing) {
+  for (const char* command : {"run", "chart", "stability"}) {
+    const Outcome outcome = tyg(std::string(command) + " --foo");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_TRUE(holds(outcome.err, "--foo")) << outcome.err;
+    EXPECT_TRUE(holds(outcome.err, "--integrator")) << outcome.err;
+    EXPECT_FALSE(holds(outcome.err, "required")) << outcome.err;
+  }
+}
+
 TEST(CommandLine, AMissingSceneIsRefused) {
   const Outcome outcome = tyg("run");
   EXPECT_EQ(outcome.code, 2);

@@ -23,7 +23,7 @@ class PanelsTest : public testing::Test {
     io.DisplaySize = {1280, 720};
     io.IniFilename = nullptr;
     io.Fonts->Build();
-    viewer_.resize({.width = 1280, .height = 720}, 200);
+    viewer_.resize({.width = 1280, .height = 720}, {.left = 200, .right = 200});
   }
   void frames(int count = 4) {
     for (int k = 0; k < count; ++k) {

@@ -16,7 +16,7 @@ class ViewerTest : public testing::Test {
 
   explicit ViewerTest(const Scene& scene = curtain())
       : viewer_(scene, Settings{.threads = 1}, [this] { return now_; }) {
-    viewer_.resize({.width = 1280, .height = 720}, 200);
+    viewer_.resize({.width = 1280, .height = 720}, {.left = 200, .right = 200});
   }
   void press(KeyCode key, double x = 0, double y = 0) {
     viewer_.handle({.kind = Kind::Press, .key = key, .x = x, .y = y});

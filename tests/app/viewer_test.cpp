@@ -215,9 +215,40 @@ TEST_F(ViewerTest, FBringsALostClothBack) {
   EXPECT_FALSE(lost());
 }
 
+/// Where the middle of the cloth's box is seen, from -1 at the left edge to 1.
+float middleOf(const Viewer& viewer) {
+  const Camera& camera = viewer.camera();
+  const glm::vec4 clip = camera.projection(1280.0F / 720) * camera.view() * glm::vec4(viewer.box().centre(), 1);
+  return clip.x / clip.w;
+}
+constexpr Margins kPanelOnTheRight{.left = 200, .right = 600};
+constexpr float kMiddleOfTheRest = -400.0F / 1280;  // 200 pixels to the left
+constexpr float kSeenMiddle = 0.1F;                 // the middle of the box is not that of its picture
+
+TEST_F(ViewerTest, APanelMovesTheClothIntoWhatIsFree) {
+  const float distance = viewer_.camera().distance();
+  viewer_.resize({.width = 1280, .height = 720}, kPanelOnTheRight);
+  EXPECT_NEAR(middleOf(viewer_), kMiddleOfTheRest, kSeenMiddle);
+  EXPECT_GT(viewer_.camera().distance(), 1.1F * distance) << "half the room, and no farther away";
+  viewer_.resize({.width = 1280, .height = 720}, {.left = 200, .right = 200});
+  EXPECT_NEAR(middleOf(viewer_), 0, kSeenMiddle);
+  EXPECT_NEAR(viewer_.camera().distance(), distance, 1e-4F * distance);
+}
+
+TEST_F(ViewerTest, APanelSlidesAClothThatThePersonHasLookedAtCloser) {
+  viewer_.handle({.kind = Kind::Scroll, .notches = 2});
+  const glm::vec3 eye = viewer_.camera().eye();
+  const float before = middleOf(viewer_);
+  viewer_.resize({.width = 1280, .height = 720}, kPanelOnTheRight);
+  EXPECT_NEAR(middleOf(viewer_), before + kMiddleOfTheRest, kSeenMiddle);
+  viewer_.resize({}, kPanelOnTheRight);
+  viewer_.resize({.width = 1280, .height = 720}, {.left = 200, .right = 200});
+  EXPECT_LT(glm::distance(viewer_.camera().eye(), eye), 0.05F * viewer_.camera().distance());
+}
+
 TEST_F(ViewerTest, AMinimisedWindowChangesNothing) {
   const glm::vec3 eye = viewer_.camera().eye();
-  viewer_.resize({}, 0);
+  viewer_.resize({}, {});
   press(kLeftButton, 10, 10);
   tap('F');
   frames(3);
@@ -252,7 +283,7 @@ TEST(ViewerOnASlowMachine, StaysResponsiveAndSaysSo) {
   // Each look at the clock takes a second: no more than one tick fits into a frame.
   double now = 0;
   Viewer viewer(loadScene("curtain", methodNames()), Settings{.threads = 1}, [&now] { return now += 1; });
-  viewer.resize({.width = 1280, .height = 720}, 0);
+  viewer.resize({.width = 1280, .height = 720}, {});
   viewer.handle({.kind = Kind::Press, .key = ' '});
   for (int frame = 0; frame < 10; ++frame) viewer.frame();
   EXPECT_EQ(viewer.simulation().ticks(), 10);

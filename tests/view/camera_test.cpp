@@ -33,6 +33,33 @@ TEST(Camera, FramesTheWholeClothAtEveryAspectRatio) {
   }
 }
 
+TEST(Camera, FramesTheClothInTheFreePartOfAWindow) {
+  constexpr float kWide = 16.0F / 9, kFree = 0.5F;  // aspects of the window and of its free part, the right half
+  for (const float aspect : {0.4F, 0.5F * kWide}) {
+    Camera camera;
+    const float aside = kFree * kWide / 2;  // heights from the window's middle to that of its right half
+    camera.frame(kCloth, aspect, aside);
+    glm::vec2 low(1e9F), high(-1e9F);
+    for (const glm::vec3& corner : kCloth.corners()) {
+      const glm::vec2 seen(ndc(camera, corner, kWide));
+      low = glm::min(low, seen), high = glm::max(high, seen);
+    }
+    EXPECT_NEAR((low.x + high.x) / 2, 0.5F, 0.02F);
+    EXPECT_NEAR((low.y + high.y) / 2, 0, 0.02F);
+    EXPECT_LT(high.x - low.x, 2 * aspect / kWide) << "wider than what is free";
+    EXPECT_GT(std::max((high.x - low.x) * kWide / aspect, high.y - low.y), 1.4F) << "the view wastes room";
+  }
+}
+
+TEST(Camera, SlidingMovesWhatIsSeenSideways) {
+  Camera camera;
+  camera.frame(kCloth, 1);
+  const float distance = camera.distance();
+  camera.slide(0.25F);  // of the height
+  EXPECT_NEAR(ndc(camera, kCloth.centre(), 1).x, 0.5F, 0.05F);
+  EXPECT_NEAR(camera.distance(), distance, 0.05F * distance);
+}
+
 TEST(Camera, FramingKeepsTheDirection) {
   Camera camera;
   camera.lookAlong(1.2F, 0.3F);

@@ -9,7 +9,9 @@
 
 #include "app/background_study.h"
 #include "app/panels/chart_plot.h"
+#include "app/panels/paragraph.h"
 #include "app/viewer.h"
+#include "core/text.h"
 #include "tyg/methods.h"
 #include "tyg/sheet.h"
 
@@ -81,9 +83,7 @@ class LiveChart final : public Panel {
       case Stage::Rows:
         return dim(scope, "measuring: %.0f %%, %d runs so far", 100 * told.fraction, int(told.rows.size()));
       case Stage::Failed:
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextUnformatted(told.problem.c_str());
-        return ImGui::PopTextWrapPos();
+        return paragraph(told.problem, scope.colours.text);
       default:
         dim(scope, "from the start of the scene, one thread: %.0f %%, %d runs", 100 * told.fraction,
             int(told.rows.size()));
@@ -105,21 +105,18 @@ class LiveChart final : public Panel {
 
   static void words(const PanelScope& scope, const ChartPlot::Contents& contents) {
     const ChartAdvice advice = adviceOn(contents.rows, contents.present, contents.scale);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(advice.present.c_str());
+    paragraph(advice.present, scope.colours.text);
     const Pace& pace = scope.viewer.pace();
     if (scope.viewer.state() == RunState::Running && pace.realTime > 0 && pace.simulating > 0) {
-      dim(scope, "Here and now, alarm included: %.3g ms per simulated second.", 1e3 * pace.simulating / pace.realTime,
-          0);
+      paragraph(formatted("Here and now, alarm included: %.3g ms per simulated second.",
+                          1e3 * pace.simulating / pace.realTime),
+                scope.colours.dim);
     }
     if (!advice.better.empty()) {
-      ImGui::PushStyleColor(ImGuiCol_Text, scope.colours.good);
-      ImGui::TextUnformatted(advice.better.c_str());
-      ImGui::PopStyleColor();
+      paragraph(advice.better, scope.colours.good);
     } else if (std::isfinite(placeOf(contents.rows, contents.present).error)) {
-      dim(scope, "Nothing measured so far is clearly cheaper or closer.", 0, 0);
+      paragraph("Nothing measured so far is clearly cheaper or closer.", scope.colours.dim);
     }
-    ImGui::PopTextWrapPos();
   }
 
   static void adopt(Viewer& viewer, const Setting& setting) {

@@ -13,6 +13,7 @@
 
 #include "app/edits.h"
 #include "app/overlay.h"
+#include "app/panels/paragraph.h"
 #include "app/viewer.h"
 #include "tyg/methods.h"
 
@@ -127,13 +128,12 @@ class ControlPanel final : public Panel {
     }
     list.PopClipRect();
     list.AddLine({limit, from.y}, {limit, to.y}, scope.colours.text, 2);
-    MarginText text;
-    describe(margin, text);
     ImGui::Dummy({0, 0});
     ImGui::SameLine(kLabels * scope.size + ImGui::GetStyle().WindowPadding.x);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextDisabled("%s", text.data());
-    ImGui::PopTextWrapPos();
+    // The foot of the window says more; here it is one line, so that nothing below it moves.
+    const Colour colour = margin.band() == MarginBand::Fine ? scope.colours.dim : scope.colours.warning;
+    const ImVec4 ink = ImGui::ColorConvertU32ToFloat4(colour);
+    ImGui::TextColored(ink, "%.2f of the limit of %.3g ms", margin.share(), 1e3 * margin.limit);
   }
 
   static void drawPush(const PanelScope& scope) {
@@ -242,9 +242,7 @@ class ControlPanel final : public Panel {
     if (button("Save .toml", "into the folder that tyg was started in", true)) said_ = save(viewer);
     ImGui::NewLine();
     if (said_.empty()) return;
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(said_.c_str());
-    ImGui::PopTextWrapPos();
+    paragraph(said_, scope.colours.text);
   }
 
   static std::string save(const Viewer& viewer) {

@@ -13,7 +13,9 @@
 
 #include "app/panels/colour_bar.h"
 #include "app/panels/ghost.h"
+#include "app/panels/paragraph.h"
 #include "app/viewer.h"
+#include "core/text.h"
 #include "tyg/methods.h"
 
 namespace tyg {
@@ -72,10 +74,8 @@ class GhostPanel final : public Panel {
     if (ImGui::RadioButton("beside it", beside_)) beside_ = true;
     ImGui::Checkbox("colour the cloth by its distance", &coloured_);
     if (!ghost_) return;
-    ImGui::PushTextWrapPos(0);
     distances(scope);
     state(scope);
-    ImGui::PopTextWrapPos();
   }
 
  private:
@@ -115,31 +115,26 @@ class GhostPanel final : public Panel {
     if (coloured_ && top_ > 0) colourBar(scope, Ramp::Growing, 0, 1e3 * top_, "mm");
     if (!ghost_->isReference() || ghost_->time() == 0) return;
     if (ghost_->horizon() <= gap->time) {
-      return colouredText(scope.colours.warning,
-                          "The horizon passed at %.2f s: the cloth makes so much of the smallest differences that "
-                          "the distance means nothing any more.",
-                          ghost_->horizon());
+      return paragraph(
+          formatted("The horizon passed at %.2f s: the cloth makes so much of the smallest differences that "
+                    "the distance means nothing any more.",
+                    ghost_->horizon()),
+          scope.colours.warning);
     }
     if (gap->rms >= kTellable * gap->floor) {
-      return colouredText(scope.colours.dim, "the reference itself: within %.1g mm", 1e3 * gap->floor);
+      return paragraph(formatted("the reference itself: within %.1g mm", 1e3 * gap->floor), scope.colours.dim);
     }
-    colouredText(scope.colours.good, "as close as the reference can tell: within %.1g mm", 1e3 * gap->floor);
+    paragraph(formatted("as close as the reference can tell: within %.1g mm", 1e3 * gap->floor), scope.colours.good);
   }
 
   void state(const PanelScope& scope) {
     if (ghost_->status() != Status::Ok) {
-      return colouredText(scope.colours.warning, "The ghost's method failed at %.3f s.", ghost_->time());
+      return paragraph(formatted("The ghost's method failed at %.3f s.", ghost_->time()), scope.colours.warning);
     }
     if (ghost_->behind() > kNoticed) {
-      colouredText(scope.colours.warning, "The ghost is %.2f s behind: this machine cannot compute both in time.",
-                   ghost_->behind());
+      paragraph(formatted("The ghost is %.2f s behind: this machine cannot compute both in time.", ghost_->behind()),
+                scope.colours.warning);
     }
-  }
-
-  static void colouredText(Colour colour, const char* format, double number) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::Text(format, number);
-    ImGui::PopStyleColor();
   }
 
   const Method* second_ = nullptr;  ///< null: the reference

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "app/panels/colour_bar.h"
+#include "app/panels/paragraph.h"
 #include "app/viewer.h"
 #include "view/stretch.h"
 
@@ -43,11 +44,7 @@ class StretchPanel final : public Panel {
   void draw(const PanelScope& scope) override {
     colourBar(scope, Ramp::Balanced, -100 * top_, 100 * top_, "%");
     table(scope);
-    ImGui::PushStyleColor(ImGuiCol_Text, scope.colours.dim);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted("Springs that are longer than at rest are warm, shorter ones cold.");
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
+    paragraph("Springs that are longer than at rest are warm, shorter ones cold.", scope.colours.dim);
   }
 
  private:
