@@ -4,9 +4,11 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/row_kernel.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"
 
@@ -31,8 +33,11 @@ void reportPerParticle(benchmark::State& state, int count) {
       benchmark::Counter(particleSteps, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-/// Arguments: particles along a side, threads.
-void steps(benchmark::State& state, const std::string& method, Precision precision) {
+/// Arguments: particles along a side, threads. `level`: the machine's best where empty.
+void steps(benchmark::State& state, const std::string& method, Precision precision,
+           std::optional<VectorLevel> level = {}) {
+  if (level > bestVectorLevel()) return state.SkipWithError("this machine does not have that vector level");
+  useVectorLevel(level);
   const int count = int(state.range(0));
   Simulation simulation(curtain(count, precision), findMethod(method), {.threads = int(state.range(1))});
   double time = 0;
@@ -40,6 +45,7 @@ void steps(benchmark::State& state, const std::string& method, Precision precisi
     time += kStepsPerRound * kStep;
     simulation.advanceTo(time);
   }
+  useVectorLevel({});
   if (simulation.status() != Status::Ok) state.SkipWithError("the simulation failed");
   reportPerParticle(state, count);
 }
@@ -136,6 +142,10 @@ BENCHMARK_CAPTURE(steps, symplectic_euler_float, "symplectic-euler", Precision::
 BENCHMARK_CAPTURE(steps, symplectic_euler_double, "symplectic-euler", Precision::Double)->Apply(sizes);
 BENCHMARK_CAPTURE(steps, leapfrog_float, "leapfrog", Precision::Float)->Apply(sizes);
 BENCHMARK_CAPTURE(steps, leapfrog_double, "leapfrog", Precision::Double)->Apply(sizes);
+BENCHMARK_CAPTURE(steps, symplectic_euler_float_avx2, "symplectic-euler", Precision::Float, VectorLevel::V3)
+    ->Apply(sizes);
+BENCHMARK_CAPTURE(steps, symplectic_euler_double_avx2, "symplectic-euler", Precision::Double, VectorLevel::V3)
+    ->Apply(sizes);
 BENCHMARK_CAPTURE(steps, rk4_double, "rk4", Precision::Double)->Args({64, 1})->UseRealTime();
 
 }  // namespace
