@@ -25,6 +25,8 @@ struct Vec3 {
 enum class Start { Hanging, Flat };      ///< in the x-y plane, or in the x-z plane
 enum class Damping { Relative, Axial };  ///< against the ends' relative velocity, or its part along the spring
 enum class Precision { Float, Double };
+/// `float` or `double`.
+const char* nameOf(Precision precision);
 
 /// One family of springs. A family with neither stiffness nor damping is not part of the model.
 struct SpringFamily {

@@ -14,8 +14,6 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-const char* precisionName(const Scene& scene) { return scene.precision == Precision::Float ? "float" : "double"; }
-
 std::string requestText(const Request& request) {
   return request.error > 0 ? "an error of at most " + lengthText(request.error)
                            : "at most " + timeText(request.budget) + " of computing a frame";
@@ -25,14 +23,14 @@ std::string settingText(const Scene& scene) {
   const bool adaptive = findMethod(scene.integrator).adaptive;
   return scene.integrator +
          (adaptive ? ", tolerance " + lengthText(scene.tolerance) : ", steps of " + timeText(scene.dt)) + ", " +
-         precisionName(scene);
+         nameOf(scene.precision);
 }
 
 std::string optionsText(const Scene& scene, int threads) {
   const bool adaptive = findMethod(scene.integrator).adaptive;
   return "--integrator " + scene.integrator +
          (adaptive ? formatted(" --tolerance %.4g", scene.tolerance) : formatted(" --dt %.4g", scene.dt)) +
-         " --precision " + precisionName(scene) + formatted(" --threads %d", threads);
+         " --precision " + nameOf(scene.precision) + formatted(" --threads %d", threads);
 }
 
 std::string perFrame(double seconds, double duration) { return timeText(frameSeconds(seconds, duration)); }
@@ -109,7 +107,7 @@ std::string adviceJson(const Scene& scene, const Advice& advice) {
   const Trial& promise = *advice.promise;
   const bool adaptive = findMethod(promise.scene.integrator).adaptive;
   json.add("integrator", promise.scene.integrator);
-  json.add("precision", precisionName(promise.scene));
+  json.add("precision", nameOf(promise.scene.precision));
   json.add("dt", adaptive ? kUnknown : promise.scene.dt);
   json.add("tolerance", adaptive ? promise.scene.tolerance : kUnknown);
   json.add("work", promise.work);

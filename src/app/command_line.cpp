@@ -1,5 +1,6 @@
 // Understands the command line with CLI11, runs the chosen command, and turns every failure into one message.
 #include "app/command_line.h"
+#include "core/text.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -28,12 +29,6 @@ constexpr const char* kMore =
     "  tyg run --help                         every option of a command, with its unit and default\n\n"
     "Exit codes: 0 done; 1 the simulation failed; 2 wrong input or usage, or an output that cannot be written;\n"
     "130 interrupted by Ctrl-C (files that were not finished are not written).";
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
 
 std::vector<std::string> commandNames(const CLI::App& app) {
   std::vector<std::string> names;

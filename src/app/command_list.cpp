@@ -10,6 +10,7 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/json.h"
+#include "core/text.h"
 #include "tyg/methods.h"
 
 namespace tyg {
@@ -76,11 +77,7 @@ std::string page() {
   return text;
 }
 
-std::string joined(const std::vector<JsonObject>& objects) {
-  std::string text;
-  for (const JsonObject& object : objects) text += (text.empty() ? "" : ", ") + object.text();
-  return "[" + text + "]";
-}
+std::string listed(const std::vector<JsonObject>& objects) { return "[" + joined(objects, &JsonObject::text) + "]"; }
 
 std::string json() {
   std::vector<JsonObject> sceneObjects, methodObjects;
@@ -106,8 +103,8 @@ std::string json() {
     object.addRaw("adaptive", method.adaptive ? "true" : "false");
   }
   JsonObject all;
-  all.addRaw("scenes", joined(sceneObjects));
-  all.addRaw("methods", joined(methodObjects));
+  all.addRaw("scenes", listed(sceneObjects));
+  all.addRaw("methods", listed(methodObjects));
   return all.text() + "\n";
 }
 

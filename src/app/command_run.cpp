@@ -72,7 +72,7 @@ Scene fitted(Scene scene, const SceneOptions& options, const PushLog& log) {
     std::cerr << "tyg run: the log is of scene '" << log.scene << "' and is replayed on '" << scene.name << "'"
               << std::endl;
   }
-  const std::string precision = log.precision == Precision::Float ? "float" : "double";
+  const std::string precision(nameOf(log.precision));
   mustAgree("--precision", options.precision, precision, precision);
   mustAgree("--integrator", options.integrator, log.integrator, log.integrator);
   std::ostringstream dt;

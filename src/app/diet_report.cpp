@@ -11,13 +11,11 @@
 namespace tyg {
 namespace {
 
-const char* precisionName(Precision precision) { return precision == Precision::Float ? "float" : "double"; }
-
 std::string settingWords(const Scene& scene) {
   const bool adaptive = findMethod(scene.integrator).adaptive;
   return scene.integrator +
          (adaptive ? formatted(", tolerance %.3g m, ", scene.tolerance) : formatted(", %.4g s, ", scene.dt)) +
-         precisionName(scene.precision);
+         nameOf(scene.precision);
 }
 
 /// A number in eight characters at most. `least`: below it, rounding is all that is left.
@@ -41,12 +39,6 @@ std::string tableLine(const DietRow& row, const Diet& diet, const std::string& w
                    cell(1e3 * row.lost.largest, "%.3g", kLeast).c_str(),
                    cell(100 * row.maxStretch, "%.3g", kLeastStretch).c_str(), cell(row.sag, "%.3f").c_str(),
                    cell(row.energy, "%.3g", kLeastEnergy).c_str(), percent(row.saved).c_str(), verdict);
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
 }
 
 std::string togetherSentence(const Diet& diet) {
@@ -104,7 +96,7 @@ std::string rowJson(const DietRow& row, const Diet& diet) {
   json.add("columns", row.scene.columns);
   json.add("rows", row.scene.rows);
   json.add("integrator", row.scene.integrator);
-  json.add("precision", precisionName(row.scene.precision));
+  json.add("precision", nameOf(row.scene.precision));
   json.add("dt", row.scene.dt);
   json.add("tolerance", row.scene.tolerance);
   json.add("status", nameOf(row.status));
@@ -125,9 +117,7 @@ std::string rowJson(const DietRow& row, const Diet& diet) {
 
 template <class Item, class Json>
 std::string listJson(const std::vector<Item>& items, const Json& json) {
-  std::string text;
-  for (const Item& item : items) text += (text.empty() ? "" : ", ") + json(item);
-  return "[" + text + "]";
+  return "[" + joined(items, json) + "]";
 }
 
 std::string needJson(const Need& need, const Diet& diet) {
@@ -143,7 +133,7 @@ std::string needJson(const Need& need, const Diet& diet) {
 std::string rowCsv(const char* part, const DietRow& row) {
   const Scene& scene = row.scene;
   std::string text = formatted("%s,%s,%d,%d,%s,%s,%.17g,%.17g,%s", part, row.words.c_str(), scene.columns, scene.rows,
-                               scene.integrator.c_str(), precisionName(scene.precision), scene.dt, scene.tolerance,
+                               scene.integrator.c_str(), nameOf(scene.precision), scene.dt, scene.tolerance,
                                std::string(nameOf(row.status)).c_str());
   for (const double number :
        {row.lost.rms, row.lost.largest, row.floor, row.horizon, row.maxStretch, row.sag, row.energy}) {

@@ -20,8 +20,6 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 std::string name(const Method& method) { return std::string(method.name); }
 
-const char* precisionName(const Scene& scene) { return scene.precision == Precision::Float ? "float" : "double"; }
-
 std::string stableStepLine(const FinishedRun& run) {
   if (std::isnan(run.stableStep)) return "stable step   no limit";
   if (run.stableStep == 0) return "stable step   none: this method needs damping to hold";
@@ -52,7 +50,7 @@ std::string sizeAndMethod(const Simulation& simulation) {
   const Scene& scene = simulation.scene();
   return scene.title + formatted(": %d x %d particles, %s with %s, %s, %d thread%s", scene.columns, scene.rows,
                                  name(simulation.method()).c_str(), accuracyAsked(simulation).c_str(),
-                                 precisionName(scene), simulation.threads(), simulation.threads() == 1 ? "" : "s");
+                                 nameOf(scene.precision), simulation.threads(), simulation.threads() == 1 ? "" : "s");
 }
 
 std::string energyLines(const FinishedRun& run) {
@@ -85,7 +83,7 @@ std::string runJson(const FinishedRun& run) {
   json.add("columns", scene.columns);
   json.add("rows", scene.rows);
   json.add("integrator", simulation.method().name);
-  json.add("precision", precisionName(scene));
+  json.add("precision", nameOf(scene.precision));
   json.add("threads", simulation.threads());
   json.add("dt_asked", simulation.dt());
   json.add("dt", simulation.largestStep());

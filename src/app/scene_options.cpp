@@ -4,6 +4,7 @@
 
 #include "app/commands.h"
 #include "app/option_checks.h"
+#include "core/text.h"
 #include "tyg/methods.h"
 
 namespace tyg {
@@ -11,12 +12,6 @@ namespace {
 
 constexpr int kMostParticlesAlongASide = 4096;
 constexpr int kMostThreads = 1024;
-
-std::string joinedMethods() {
-  std::string text;
-  for (const std::string_view name : methodNames()) text.append(text.empty() ? "" : ", ").append(name);
-  return text;
-}
 
 std::string checkPrecision(const std::string& text) {
   if (text == "float" || text == "double") return {};
@@ -56,7 +51,7 @@ void addSceneOptions(CLI::App& command, SceneOptions& options, bool sceneRequire
                                    std::string("A built-in scene (tyg list shows them) or the path of a .toml file") +
                                        (sceneRequired ? "" : " [" + options.scene + "]"));
   scene->required(sceneRequired)->type_name("");
-  command.add_option("--integrator", options.integrator, "Method: " + joinedMethods() + " [the scene's]")
+  command.add_option("--integrator", options.integrator, "Method: " + joined(methodNames()) + " [the scene's]")
       ->type_name("NAME")
       ->group("Scene");
   addNumbers(command, options);

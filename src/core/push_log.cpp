@@ -203,8 +203,7 @@ class LogReader {
 std::string formatPushLog(const PushLog& log) {
   std::string text = "# scene = " + log.scene + "\n# columns = " + std::to_string(log.columns) +
                      "\n# rows = " + std::to_string(log.rows) + "\n# integrator = " + log.integrator +
-                     "\n# dt = " + textOf(log.dt) +
-                     "\n# precision = " + (log.precision == Precision::Float ? "float" : "double") +
+                     "\n# dt = " + textOf(log.dt) + "\n# precision = " + nameOf(log.precision) +
                      "\n# ticks = " + std::to_string(log.ticks) + "\n# hash = " + log.hash + '\n';
   text += std::string(kColumns) + '\n';
   for (const LogEvent& event : log.events) text += lineOf(event) + '\n';

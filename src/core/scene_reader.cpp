@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "core/scene_table.h"
+#include "core/text.h"
 #include "tyg/scene.h"
 #include "tyg/sheet.h"
 
@@ -118,11 +119,7 @@ void readRoot(SceneTable root, Scene& scene, std::span<const std::string_view> m
   readRun(*run, scene, methods);
 }
 
-std::string builtinNames() {
-  std::string names;
-  for (const BuiltinScene& scene : builtinScenes()) names += (names.empty() ? "" : ", ") + std::string(scene.name);
-  return names;
-}
+std::string builtinNames() { return joined(builtinScenes(), &BuiltinScene::name); }
 
 std::string readFile(const std::string& path) {
   const auto refuse = [&path](const std::string& found) {
@@ -139,6 +136,8 @@ std::string readFile(const std::string& path) {
 }
 
 }  // namespace
+
+const char* nameOf(Precision precision) { return precision == Precision::Float ? "float" : "double"; }
 
 Scene parseScene(std::string_view text, const std::string& fileName, std::span<const std::string_view> methods) {
   try {

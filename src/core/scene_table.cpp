@@ -1,6 +1,7 @@
 // Reads and checks the values of one TOML table; every refusal says file, line, key, found and allowed.
 // Must not know: which keys a scene has.
 #include "core/scene_table.h"
+#include "core/text.h"
 
 #include <algorithm>
 #include <array>
@@ -28,9 +29,7 @@ std::string textOf(const toml::node& value) {
   if (value.is_table()) return "a table";
   if (value.is_floating_point()) return textOf(value.ref<double>());
   if (const toml::array* array = value.as_array()) {
-    std::string elements;
-    for (const toml::node& element : *array) elements += (elements.empty() ? "" : ", ") + textOf(element);
-    return '[' + elements + ']';
+    return '[' + joined(*array, [](const toml::node& element) { return textOf(element); }) + ']';
   }
   std::ostringstream out;
   value.visit([&out](const auto& known) {

@@ -1,12 +1,21 @@
-// Numbers into text, as printf writes them.
+// Numbers into text, as printf writes them, and words into a list.
 // Must not know: what is written.
 #pragma once
 
+#include <functional>
 #include <string>
 
 namespace tyg {
 
 /// What printf would print, however long.
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
+
+/// `a, b, c`: the items, or what `wordOf` makes of each.
+template <class Items, class WordOf = std::identity>
+std::string joined(const Items& items, WordOf wordOf = {}) {
+  std::string text;
+  for (const auto& item : items) text.append(text.empty() ? "" : ", ").append(std::invoke(wordOf, item));
+  return text;
+}
 
 }  // namespace tyg

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "core/text.h"
 #include "integrators/factories.h"
 #include "tyg/methods.h"
 
@@ -53,9 +54,7 @@ const Method& findMethod(std::string_view name, std::string_view key) {
   for (const Method& method : kMethods) {
     if (method.name == name) return method;
   }
-  std::string allowed;
-  for (const std::string_view known : kNames) allowed += (allowed.empty() ? "" : ", ") + std::string(known);
-  throw InputError(std::string(key) + ": found \"" + std::string(name) + "\", allowed: " + allowed);
+  throw InputError(std::string(key) + ": found \"" + std::string(name) + "\", allowed: " + joined(kNames));
 }
 
 }  // namespace tyg

@@ -11,8 +11,6 @@ namespace {
 
 constexpr std::array kPrecisions{Precision::Double, Precision::Float};
 
-const char* nameOf(Precision precision) { return precision == Precision::Float ? "float" : "double"; }
-
 /// Larger of the two, part by part.
 BulkDistance larger(const BulkDistance& a, const BulkDistance& b) {
   return {std::max(a.centre, b.centre), std::max(a.gyration, b.gyration), std::max(a.energy, b.energy)};

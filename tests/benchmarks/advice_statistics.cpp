@@ -118,9 +118,8 @@ void judge(const Scene& scene, double ofSize, Tally& tally) {
   tally.held += held ? 1 : 0;
   tally.near += ratio <= 1.5 ? 1 : 0;
   tally.worst = std::max(tally.worst, ratio);
-  std::printf("%s,%s,%.4g,%.3g,%.4g,%.3f,%s\n", choice.scene.integrator.c_str(),
-              choice.scene.precision == Precision::Float ? "float" : "double", choice.scene.dt, achieved,
-              choice.seconds, ratio, held ? "held" : "missed");
+  std::printf("%s,%s,%.4g,%.3g,%.4g,%.3f,%s\n", choice.scene.integrator.c_str(), nameOf(choice.scene.precision),
+              choice.scene.dt, achieved, choice.seconds, ratio, held ? "held" : "missed");
   std::fflush(stdout);
 }
 

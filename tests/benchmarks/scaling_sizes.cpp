@@ -19,8 +19,6 @@ constexpr double kStep = 1e-4;  // s, far from every limit
 constexpr int kSteps = 64;      // of one turn: as many as between two looks at the energies, which are included
 constexpr std::array kPrecisions{Precision::Float, Precision::Double};
 
-std::string nameOf(Precision precision) { return precision == Precision::Float ? "float" : "double"; }
-
 Scene curtain(int count, Precision precision) {
   Scene scene = loadScene("curtain");
   scene.columns = scene.rows = count;
@@ -158,7 +156,7 @@ void measureSizes(const Options& options) {
   }
   for (std::size_t k = 0; k < 2; ++k) {
     const int from = breakEven(sizes, times, k);
-    std::printf("%s: a second thread pays %s\n", nameOf(kPrecisions[k]).c_str(),
+    std::printf("%s: a second thread pays %s\n", nameOf(kPrecisions[k]),
                 from == 0 ? "nowhere" : ("from " + std::to_string(from) + "x" + std::to_string(from) + " on").c_str());
   }
   writeAndDraw(options, "sizes", csv.str(), kChart);
