@@ -108,7 +108,7 @@ class Simulation {
   /// Energies now. Also moves the alarm's lowest value, so looking never makes a later alarm sleepier.
   Ledger ledger();
   /// Largest stable step (s) of the present method at the present state, damping included: infinite where nothing sets
-  /// a limit, NaN where the method has none (rkc2, whose stages follow the sheet at rest, included) or the state is not
+  /// a limit, NaN where the method has none (rkc2, whose stages follow the sheet's waves, included) or the state is not
   /// finite. Costs at most four force evaluations, which are not counted, and leaves the motion alone. It follows one
   /// mode from call to call: called once a frame it is settled after about ten calls and is then within 1.5 % for
   /// symplectic Euler, leapfrog and imex; the first call is up to a tenth too large. For Runge-Kutta methods the

@@ -2,7 +2,9 @@
 #include "integrators/chebyshev.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "integrators/chebyshev_table.h"
@@ -12,16 +14,16 @@ namespace {
 
 using Complex = std::complex<double>;
 
-Complex growthOf(const ChebyshevTable& table, int s, const Complex& z) {
+Complex growthOf(const ChebyshevTable& table, const Complex& z) {
+  const std::size_t s = table.b.size() - 1;
   const Complex x = table.w0 + table.w1 * z;
   Complex before = 1, now = x;  // T_0, T_1 by the three-term recurrence
-  for (int j = 2; j <= s; ++j) {
+  for (std::size_t j = 2; j <= s; ++j) {
     const Complex next = 2.0 * x * now - before;
     before = now;
     now = next;
   }
-  const double b = table.b[std::size_t(s)];
-  return 1 - b * table.value[std::size_t(s)] + b * now;
+  return 1.0 + table.b[s] * (now - table.value[s]);
 }
 
 /// The distinct fast ends of the spectrum: conjugate roots grow alike.
@@ -42,9 +44,10 @@ std::vector<Complex> rootsOf(std::span<const Mode> modes) {
 
 }  // namespace
 
-ChebyshevTable::ChebyshevTable(int s) : b(std::size_t(s) + 1), value(std::size_t(s) + 1) {
-  constexpr double kEps = 2.0 / 13;
-  w0 = 1 + kEps / (double(s) * s);
+ChebyshevTable::ChebyshevTable(const ChebyshevStages& stages)
+    : b(std::size_t(stages.count) + 1), value(std::size_t(stages.count) + 1) {
+  const int s = stages.count;
+  w0 = 1 + stages.eps / (double(s) * s);
   // T_j, T'_j, T''_j at w0 by differentiating the recurrence T_j = 2 x T_(j-1) - T_(j-2).
   double t0 = 1, t1 = w0, d0 = 0, d1 = 1, e0 = 0, e1 = 0;
   value[0] = t0, value[1] = t1;
@@ -58,19 +61,37 @@ ChebyshevTable::ChebyshevTable(int s) : b(std::size_t(s) + 1), value(std::size_t
   w1 = d1 / e1;
 }
 
-Complex chebyshevGrowth(int stages, Complex z) { return growthOf(ChebyshevTable(stages), stages, z); }
+Complex chebyshevGrowth(const ChebyshevStages& stages, Complex z) { return growthOf(ChebyshevTable(stages), z); }
 
-int chebyshevStages(std::span<const Mode> modes, double h) {
+std::vector<Mode> chebyshevModes(const Scene& scene) {
+  constexpr int kIntervals = 24;  // of the grid of phases, an axis
+  constexpr double kStride = std::numbers::pi / kIntervals;
+  const Lattice lattice(scene);
+  std::vector<Mode> all;
+  for (int j = 0; j <= (lattice.tall() ? kIntervals : 0); ++j) {
+    for (int i = 0; i <= (lattice.wide() ? kIntervals : 0); ++i) {
+      const std::array<Mode, 5> modes = lattice.modes(i * kStride, j * kStride);
+      const bool axial = scene.damping == Damping::Axial;
+      all.insert(all.end(), modes.begin(), axial ? modes.end() : modes.begin() + 3);  // the others repeat the first two
+      if (!axial) all.push_back(lattice.anyDeformation(i * kStride, j * kStride));
+    }
+  }
+  return all;
+}
+
+ChebyshevStages chebyshevStages(std::span<const Mode> modes, double h) {
   constexpr double kRounding = 1e-10;
   std::vector<Complex> roots = rootsOf(modes);
   for (int s = 2; s <= kMostChebyshevStages; ++s) {
-    const ChebyshevTable table(s);
-    const auto growing = std::ranges::find_if(
-        roots, [&](const Complex& mu) { return std::abs(growthOf(table, s, h * mu)) > 1 + kRounding; });
-    if (growing == roots.end()) return s;
-    std::swap(roots.front(), *growing);  // the next number of stages most likely fails here too
+    for (const double eps : {2.0 / 13, 1.0, 4.0, 16.0, 64.0}) {
+      const ChebyshevTable table({s, eps});
+      const auto growing = std::ranges::find_if(
+          roots, [&](const Complex& mu) { return std::abs(growthOf(table, h * mu)) > 1 + kRounding; });
+      if (growing == roots.end()) return {s, eps};
+      std::swap(roots.front(), *growing);  // the next method most likely fails here too
+    }
   }
-  return 0;
+  return {};
 }
 
 }  // namespace tyg

@@ -3,6 +3,7 @@
 
 #include <complex>
 #include <span>
+#include <vector>
 
 #include "core/lattice.h"
 
@@ -10,11 +11,24 @@ namespace tyg {
 
 constexpr int kMostChebyshevStages = 100;
 
-/// P_s(z) = a_s + b_s T_s(w0 + w1 z) with the damping eps = 2/13 (Sommeijer, Shampine, Verwer 1998, eq. 2.2-2.4).
-std::complex<double> chebyshevGrowth(int stages, std::complex<double> z);
+/// Which of the methods: how many stages, and how strongly damped, eps of w0 = 1 + eps / s^2. The authors' 2/13 reaches
+/// farthest along the real axis; a larger one gives reach away for width, as waves that still oscillate need it
+/// (Verwer, Sommeijer, Hundsdorfer, "RKC time-stepping for advection-diffusion-reaction problems", 2004, take 10).
+struct ChebyshevStages {
+  int count = 0;  ///< 2 to kMostChebyshevStages; 0: none holds
+  double eps = 2.0 / 13;
+};
 
-/// The fewest stages, 2 to kMostChebyshevStages, with |P_s(h mu)| <= 1 for both roots mu of every mode; 0 where none
-/// does.
-int chebyshevStages(std::span<const Mode> modes, double h);
+/// P_s(z) = a_s + b_s T_s(w0 + w1 z) (Sommeijer, Shampine, Verwer 1998, eq. 2.2-2.4).
+std::complex<double> chebyshevGrowth(const ChebyshevStages& stages, std::complex<double> z);
+
+/// What stages are chosen for: the waves of the sheet at rest on a grid of phases, and under the relative law, whose
+/// damping no deformation changes, each phase also with the largest stiffness that any deformation gives it. At the
+/// edges of a sheet there are waves of more stiffness for their damping than those of the unbounded lattice; they stay
+/// below that.
+std::vector<Mode> chebyshevModes(const Scene& scene);
+
+/// The fewest stages, and of those the least damped, with |P_s(h mu)| <= 1 for both roots mu of every mode.
+ChebyshevStages chebyshevStages(std::span<const Mode> modes, double h);
 
 }  // namespace tyg

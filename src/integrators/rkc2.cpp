@@ -1,8 +1,8 @@
 // Second-order Runge-Kutta-Chebyshev (Sommeijer, Shampine, Verwer, "RKC: an explicit solver for parabolic PDEs", 1998,
 // eq. 2.1-2.4): more stages instead of smaller steps where damping rules. With y = (x, v), F = (v, force / m):
 //   Y1 = Y0 + m1 h F0;  Yj = (1 - mu - nu) Y0 + mu Y(j-1) + nu Y(j-2) + mt h F(j-1) + gt h F0;  y' = Ys
-// The stages are the fewest for which every wave of the sheet at rest stays bounded; where none do, the method is past
-// its limit and takes as many as the step alone asks of the fastest damped wave.
+// The stages are the fewest for which every wave of the sheet stays bounded; a step at which none do is past the
+// method's limit, and gets two.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,12 +15,10 @@
 namespace tyg {
 namespace {
 
-constexpr int kIntervals = 24;  // of the grid of waves, an axis
-
 template <class T>
 class Rkc2 final : public Integrator<T> {
  public:
-  Rkc2(const Scene& scene, const Sheet& sheet) : modes_(sampledModes(scene, kIntervals)) {
+  Rkc2(const Scene& scene, const Sheet& sheet) : modes_(chebyshevModes(scene)) {
     const Layout layout(sheet);
     for (State<T>* stage : {&before_, &now_, &next_}) *stage = State<T>(layout);
     force0_ = force_ = VectorField<T>(layout);
@@ -36,7 +34,7 @@ class Rkc2 final : public Integrator<T> {
     before_ = state;
     moveFirst(forces, state, m1 * h, kick);
     double spent = m1 * power0, spentBefore = 0;  // the dissipated energy over h, as one more component of y
-    for (int j = 2; j <= stages_; ++j) {
+    for (int j = 2; j <= stages_.count; ++j) {
       const auto at = [&](int k) { return std::size_t(k); };
       const double mu = 2 * c.b[at(j)] * c.w0 / c.b[at(j - 1)], nu = -c.b[at(j)] / c.b[at(j - 2)];
       const double mt = 2 * c.b[at(j)] * c.w1 / c.b[at(j - 1)];
@@ -62,7 +60,7 @@ class Rkc2 final : public Integrator<T> {
 
   void chooseStages(double h) {
     stages_ = chebyshevStages(modes_, h);
-    if (stages_ == 0) stages_ = 2;
+    if (stages_.count == 0) stages_.count = 2;
     table_ = std::make_shared<const ChebyshevTable>(stages_);
     tableFor_ = h;
   }
@@ -94,26 +92,32 @@ class Rkc2 final : public Integrator<T> {
   std::vector<Mode> modes_;
   State<T> before_, now_, next_;
   VectorField<T> force0_, force_;
-  int stages_ = 2;
+  ChebyshevStages stages_;
   double tableFor_ = 0;  // s, the step that table_ was made for
   std::shared_ptr<const ChebyshevTable> table_;
 };
 
 }  // namespace
 
-// Doubled from far below until no number of stages holds every wave, then bisected.
+// Doubled from far below until no number of stages holds every wave, then bisected. A wave without damping grows at any
+// step: on the imaginary axis |P_s| > 1.
 double stableStepRkc2(const Scene& scene) {
-  const std::vector<Mode> modes = sampledModes(scene, kIntervals);
-  const auto holds = [&](double h) { return chebyshevStages(modes, h) != 0; };
+  const std::vector<Mode> modes = chebyshevModes(scene);
+  const auto holds = [&](double h) { return chebyshevStages(modes, h).count != 0; };
   double fastest = 0;
   for (const Mode& mode : modes) fastest = std::max({fastest, std::sqrt(mode.w2), mode.d});
   if (fastest == 0) return std::numeric_limits<double>::infinity();
   if (!std::isfinite(fastest)) return 0;
+  constexpr double kRounding = 1e-9;
+  const auto undamped = [&](const Mode& mode) {
+    const double w = std::sqrt(mode.w2);
+    return w > kRounding * fastest && mode.d <= kRounding * w;
+  };
+  if (std::ranges::any_of(modes, undamped)) return 0;
   double inside = 1e-6 / fastest;
-  if (!holds(inside)) return 0;
   while (inside < 1e3 && holds(2 * inside)) inside *= 2;
   double outside = 2 * inside;
-  for (int k = 0; k < 30; ++k) {
+  for (int k = 0; k < 13; ++k) {  // to a ten-thousandth
     const double middle = (inside + outside) / 2;
     (holds(middle) ? inside : outside) = middle;
   }

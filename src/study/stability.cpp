@@ -19,6 +19,13 @@ constexpr double kEveryStep = std::numeric_limits<double>::infinity();
 
 double finiteOrNone(double step) { return std::isfinite(step) ? step : kNone; }
 
+bool isOverdamped(const Mode& mode) { return mode.d * mode.d > 4 * mode.w2; }
+
+/// The magnitude of the larger root of a mode, 1/s.
+double fastRate(const Mode& mode) {
+  return isOverdamped(mode) ? (mode.d + std::sqrt(mode.d * mode.d - 4 * mode.w2)) / 2 : std::sqrt(mode.w2);
+}
+
 /// The mode of a wave that limits a method, as an index into Lattice::modes.
 std::size_t limitingMode(const Method& method, const std::array<Mode, 5>& modes) {
   std::size_t worst = 0;
@@ -129,10 +136,13 @@ StepLimit stepLimit(const Scene& scene, const Method& method, bool quick) {
   if (std::isnan(limit.predicted)) return limit;
   const Lattice lattice(scene);
   if (method.stableStep == nullptr || limit.predicted == 0) {
-    // Where no step holds, the fastest wave grows first; where stages are added for damping, it is what they cannot
-    // hold.
-    const LatticeWave wave = extremeWave(lattice, [](const Mode& mode) { return mode.w2; });
+    // Where no step holds, the fastest wave grows first; where stages run out, the wave of the fastest root.
+    const bool byStages = limit.predicted > 0;
+    const LatticeWave wave =
+        extremeWave(lattice, [&](const Mode& mode) { return byStages ? fastRate(mode) : mode.w2; });
     limit.qx = wave.qx, limit.qy = wave.qy, limit.mode = wave.mode;
+    limit.outOfPlane = byStages && wave.mode.w2 == 0;
+    limit.byDamping = byStages && isOverdamped(wave.mode);
     return limit;
   }
   const LowestWave wave = restWave(lattice, method);

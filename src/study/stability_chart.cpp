@@ -101,7 +101,7 @@ class Script {
     const double h = study_.scene.dt;
     const StabilityRegion region = regionOf(method, study_.scene, h);
     Extent extent;
-    extent.stages = region.stages;
+    extent.stages = region.stages.count;
     extent.onRealAxis = region.onRealAxis;
     out_ << "$region" << k << " << END   # z = h mu\n0 0\n";
     for (const std::complex<double>& z : region.edge) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "integrators/chebyshev.h"
 #include "study/stability_study.h"
 
 namespace tyg {
@@ -18,7 +19,7 @@ std::vector<std::complex<double>> sceneRoots(const Scene& scene);
 struct StabilityRegion {
   std::vector<std::complex<double>> edge;  ///< from the upper imaginary axis to the lower one; empty: no edge
   double onRealAxis = 0;                   ///< the largest -z of a damped motion without springs; may be infinite
-  int stages = 0;                          ///< of a method that chooses them by the step
+  ChebyshevStages stages;                  ///< of a method that chooses them by the step
 };
 /// At a step h (s). Methods of two roots at once (symplectic Euler, leapfrog) are drawn for conjugate pairs.
 StabilityRegion regionOf(const Method& method, const Scene& scene, double h);

@@ -12,14 +12,13 @@ namespace tyg {
 namespace {
 
 constexpr int kAngles = 180;
-constexpr int kChebyshevWaves = 24;  // intervals an axis: those that rkc2 chooses its stages by
 
 /// Of a pair of roots of size 1/h at an angle, in units of 1/h: how far the pair may go out.
 double pairReach(const Method& method, double angle, double h) {
   return method.stableStep(1 / (h * h), -2 * std::cos(angle) / h) / h;
 }
 
-double chebyshevReach(int stages, double angle) {
+double chebyshevReach(const ChebyshevStages& stages, double angle) {
   const double stride = 0.004;
   double reach = stride;
   constexpr double kRounding = 1e-9;
@@ -52,7 +51,8 @@ std::vector<std::complex<double>> sceneRoots(const Scene& scene) {
 StabilityRegion regionOf(const Method& method, const Scene& scene, double h) {
   StabilityRegion region;
   const bool chebyshev = method.stableStep == nullptr && method.stableStepOfScene != nullptr;
-  if (chebyshev) region.stages = std::max(2, chebyshevStages(sampledModes(scene, kChebyshevWaves), h));
+  if (chebyshev) region.stages = chebyshevStages(chebyshevModes(scene), h);
+  if (chebyshev && region.stages.count == 0) region.stages.count = 2;
   if (!chebyshev && method.stableStep == nullptr) return region;
   for (int k = 0; k <= kAngles; ++k) {
     const double angle = std::numbers::pi * (0.5 + double(k) / kAngles);
@@ -66,8 +66,9 @@ StabilityRegion regionOf(const Method& method, const Scene& scene, double h) {
 bool holdsAt(const Method& method, const StabilityRegion& region, const std::complex<double>& mu, double h) {
   const double size = std::abs(mu), loss = std::max(0.0, -mu.real());
   constexpr double kRounding = 1e-9;
-  if (size == 0 || (region.edge.empty() && region.stages == 0)) return true;
-  if (region.stages > 0) return std::abs(chebyshevGrowth(region.stages, {-loss * h, mu.imag() * h})) <= 1 + kRounding;
+  if (size == 0 || (region.edge.empty() && region.stages.count == 0)) return true;
+  if (region.stages.count > 0)
+    return std::abs(chebyshevGrowth(region.stages, {-loss * h, mu.imag() * h})) <= 1 + kRounding;
   const bool turns = std::abs(mu.imag()) > kRounding * size;
   return h <= (1 + kRounding) * (turns ? method.stableStep(size * size, 2 * loss) : method.stableStep(0, loss));
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/text.h"
+#include "integrators/chebyshev.h"
 #include "study/measured_limit.h"
 #include "study/stability_study.h"
 
@@ -80,6 +81,15 @@ std::string explicitNote(const StabilityStudy& study, const StabilityCase& entry
   return note;
 }
 
+/// The same for rkc2, which takes two stages where none hold: |P_2(i y)|^2 = 1 + y^4 / 4.
+std::string stagesNote(const StabilityStudy& study, const StabilityCase& entry) {
+  const double w2 = entry.limit.mode.w2, seconds = study.scene.duration;
+  return formatted(
+      "rkc2 without damping: no step is stable, whatever the stages. Two, the fewest, multiply the fastest mode by "
+      "1 + (h w)^4 / 8 each step, w = %.4g /s: a growth by 1000 in %.3g s is survived only below %.3g ms.",
+      std::sqrt(w2), seconds, 1e3 * std::cbrt(8 * std::log(1000.0) / (w2 * w2 * seconds)));
+}
+
 std::vector<std::string> notesOn(const StabilityStudy& study) {
   std::vector<std::string> notes;
   std::string adaptive;
@@ -87,11 +97,17 @@ std::vector<std::string> notesOn(const StabilityStudy& study) {
     if (entry.method->name == "explicit-euler" && !entry.damped && entry.limit.predicted == 0) {
       notes.push_back(explicitNote(study, entry));
     }
-    if (entry.method->name == "explicit-euler" && entry.limit.predicted > 0) {
+    if (entry.method->name == "explicit-euler" && entry.limit.predicted > 0 && !entry.limit.byDamping) {
       notes.emplace_back(
           "explicit-euler with damping: past its limit the least damped mode grows, but slowly; what holds above the "
           "prediction is what the run was too short to show.");
     }
+    if (entry.method->name == "rkc2" && entry.limit.predicted > 0) {
+      notes.push_back("rkc2 takes as many stages as the step needs to hold every wave, " +
+                      std::to_string(kMostChebyshevStages) +
+                      " at most; past its limit none hold, and it takes two, which fail at once.");
+    }
+    if (entry.method->name == "rkc2" && entry.limit.predicted == 0) notes.push_back(stagesNote(study, entry));
     if (entry.method->adaptive && adaptive.find(name(entry)) == std::string::npos) {
       adaptive += (adaptive.empty() ? "" : ", ") + name(entry);
     }
