@@ -14,7 +14,8 @@ namespace {
 /// from the truth, at 6 to 21 force evaluations a tick; the scenes' own settings are at 1e-8 or worse, but for two
 /// whose steps are a tenth of what would do.
 constexpr double kReferenceTolerance = 1e-9;
-constexpr double kTwinTolerance = 10 * kReferenceTolerance;
+/// Of the size, at the start: no farther than the reference may be off.
+constexpr double kTwinDistance = kReferenceTolerance;
 /// Of the size: a floor above this one could be seen, if not by eye, then on the scale of colours.
 constexpr double kSeenFloor = 1e-5;
 
@@ -22,12 +23,10 @@ constexpr std::int64_t kStride = 8;  // ticks between looks at the clock
 constexpr std::size_t kMostCheckpoints = 16;
 constexpr std::int64_t kFirstSpacing = 64;  // ticks between checkpoints; doubled whenever there are too many
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 }  // namespace
 
 Ghost::Ghost(const Simulation& live, const Method* second)
-    : second_(second), method_(second != nullptr ? second : &findMethod("dopri54")), horizon_(kNone) {
+    : second_(second), method_(second != nullptr ? second : &findMethod("dopri54")) {
   begin(live);
 }
 
@@ -48,16 +47,14 @@ void Ghost::begin(const Simulation& live) {
   main_.emplace(scene_, *method_, settings);
   twin_.reset();
   if (second_ == nullptr) {
-    Scene looser = scene_;
-    looser.tolerance = kTwinTolerance * live.sheet().size();
-    twin_.emplace(looser, *method_, settings);
+    twin_.emplace(twinOf(scene_, kTwinDistance * live.sheet().size()), *method_, settings);
   }
   played_.clear();
   checkpoints_.clear();
   ticksBetweenCheckpoints_ = kFirstSpacing;
+  told_ = {};
   keepCheckpoint();
   gap_.reset();
-  horizon_ = kNone;
   positions_.resize(3 * static_cast<std::size_t>(live.sheet().count()));
   distances_.clear();
   main_->copyPositions(positions_);
@@ -85,7 +82,7 @@ void Ghost::goBack(const Simulation& live) {
   played_.resize(checkpoint.events);
   gap_.reset();
   distances_.clear();
-  if (!(horizon_ <= main_->time())) horizon_ = kNone;
+  told_ = checkpoint.told;
 }
 
 void Ghost::keepCheckpoint() {
@@ -98,6 +95,7 @@ void Ghost::keepCheckpoint() {
   Checkpoint& made = checkpoints_.emplace_back();
   made.tick = main_->ticks();
   made.events = played_.size();
+  made.told = told_;
   made.main = main_->save();
   if (twin_) made.twin = twin_->save();
 }
@@ -153,10 +151,19 @@ void Ghost::measure(const Simulation& live) {
     if (twin_) twinSquare += squareBetween(twin_->position(particle), here);
   }
   GhostGap gap{.time = main_->time(), .rms = std::sqrt(square / count), .largest = std::sqrt(largest)};
-  // Where both take whole ticks as steps they are one, and each of their steps is within the tolerance.
-  if (twin_) gap.floor = std::max(std::sqrt(twinSquare / count), scene_.tolerance);
-  if (!gap.means() && gap.floor > kSeenFloor * live.sheet().size() && std::isnan(horizon_)) horizon_ = gap.time;
+  gap.error = told_.error = std::max(told_.error, gap.rms);
+  if (twin_) {
+    const double size = live.sheet().size(), apart = std::sqrt(twinSquare / count);
+    if (size > 0) told_.amplification = std::max(told_.amplification, apart / (kTwinDistance * size));
+    gap.floor = errorFloor(size, told_.amplification, told_.amplification * scene_.tolerance, live.scene().precision);
+  }
+  if (gap.means()) told_.meant = gap.time;
   gap_ = gap;
+}
+
+double Ghost::horizon() const {
+  const bool passed = gap_ && !gap_->means() && gap_->floor > kSeenFloor * main_->sheet().size();
+  return passed ? told_.meant : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace tyg

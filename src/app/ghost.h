@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "study/reference.h"
 #include "tyg/simulation.h"
 
 namespace tyg {
@@ -18,11 +19,12 @@ struct GhostGap {
   double time = 0;     ///< s
   double rms = 0;      ///< m, over all particles
   double largest = 0;  ///< m, of any particle
-  /// m: how far the reference itself may be off, about; 0 beside a second method. A twin of the reference with ten
-  /// times its tolerance follows it: whatever the cloth makes of small errors, it makes of their distance.
+  double error = 0;    ///< m, the largest RMS distance so far
+  /// errorFloor() of the study, m; 0 beside a second method. A twin of the reference that starts a billionth of the
+  /// size away follows it: whatever the cloth has made of that distance at most, it makes of the reference's own
+  /// error and of the live cloth's rounding.
   double floor = 0;
-  /// Is the distance clearly more than what the reference itself may be off?
-  [[nodiscard]] bool means() const { return rms >= 10 * floor; }
+  [[nodiscard]] bool means() const { return meansSomething(error, floor); }
 };
 
 class Ghost {
@@ -53,16 +55,24 @@ class Ghost {
   [[nodiscard]] std::span<const float> positions() const { return positions_; }
   /// The distance of each particle at gap()'s moment, m; empty without a gap.
   [[nodiscard]] std::span<const float> distances() const { return distances_; }
-  /// s: the first time at which the gap no longer meant anything though it could be seen; NaN while it does.
-  [[nodiscard]] double horizon() const { return horizon_; }
+  /// T* of the study, s: the last time at which ten floors fitted into the largest distance so far; NaN while they do,
+  /// and while the floor could not be seen in the window anyway.
+  [[nodiscard]] double horizon() const;
 
  private:
+  /// What the distances up to now have told.
+  struct Told {
+    double amplification = 1;  ///< of the twin's distance, the largest
+    double error = 0;          ///< m, the largest RMS distance
+    double meant = 0;          ///< s, the last time at which it meant something
+  };
   /// A moment to go back to.
   struct Checkpoint {
     std::int64_t tick = 0;
     std::size_t events = 0;  ///< of the live log, played by then
     Snapshot main;
     std::optional<Snapshot> twin;
+    Told told;
   };
   void begin(const Simulation& live);
   [[nodiscard]] Scene sceneFor(const Simulation& live) const;
@@ -78,7 +88,8 @@ class Ghost {
   std::vector<LogEvent> played_;  ///< of the live log
   std::vector<Checkpoint> checkpoints_;
   std::int64_t ticksBetweenCheckpoints_ = 0;
-  double behind_ = 0, horizon_;
+  double behind_ = 0;
+  Told told_;
   std::optional<GhostGap> gap_;
   std::vector<float> positions_, distances_;
 };

@@ -124,6 +124,10 @@ std::size_t firstAfter(const std::vector<double>& times, double time) {
 
 }  // namespace
 
+double errorFloor(double size, double amplification, double disagreement, Precision precision) {
+  return std::min(size, std::max(disagreement, amplification * roundingUnit(precision) * size));
+}
+
 bool Reference::usable() const {
   return !stopped && motion.status == Status::Ok && !motion.times.empty() && disagreement.size() == motion.times.size();
 }
@@ -131,7 +135,7 @@ bool Reference::usable() const {
 double Reference::floorAt(std::size_t sample, Precision precision) const {
   double amplified = 1;  // at the start
   for (std::size_t k = 0; k <= sample; ++k) amplified = std::max(amplified, amplification[k]);
-  return std::min(size, std::max(disagreement[sample], amplified * roundingUnit(precision) * size));
+  return errorFloor(size, amplified, disagreement[sample], precision);
 }
 
 BulkDistance Reference::distanceAfter(double horizon, const SampledMotion& run) const {
@@ -149,7 +153,7 @@ BulkDistance Reference::bandAfter(double horizon, Precision precision) const {
 double Reference::horizonOf(double error, Precision precision) const {
   double horizon = 0;
   for (std::size_t k = 0; k < motion.times.size(); ++k) {
-    if (floorAt(k, precision) < error / 10) horizon = motion.times[k];
+    if (meansSomething(error, floorAt(k, precision))) horizon = motion.times[k];
   }
   return horizon;
 }

@@ -9,6 +9,12 @@
 
 namespace tyg {
 
+/// The least error (m) of a sheet of this size (m) that means something: the larger of how far two references disagree
+/// (m) and of what the largest amplification so far makes of one rounding error; at most the size.
+double errorFloor(double size, double amplification, double disagreement, Precision precision);
+/// Whether an error means something above such a floor: ten of them must fit into it.
+inline bool meansSomething(double error, double floor) { return floor < error / 10; }
+
 /// A scene's motion by an adaptive method of high order with a tolerance of 1e-13 of the sheet's size, in double, and
 /// what is known about its own error. Everything by sample time, at least 20 of them.
 struct Reference {
@@ -27,8 +33,7 @@ struct Reference {
 
   /// Is it complete, with a second opinion?
   [[nodiscard]] bool usable() const;
-  /// The least error (m) that means something up to a sample time: the larger of the disagreement so far and of what
-  /// the amplification makes of one rounding error; at most the sheet's size.
+  /// errorFloor() up to a sample time.
   [[nodiscard]] double floorAt(std::size_t sample, Precision precision) const;
   /// The same over the whole run.
   [[nodiscard]] double floorOf(Precision precision) const { return floorAt(motion.times.size() - 1, precision); }

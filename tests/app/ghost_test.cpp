@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "study/error.h"
+#include "study/reference.h"
 #include "tyg/methods.h"
 
 namespace tyg {
@@ -140,17 +141,38 @@ TEST(Ghost, StopsWhereItsOwnMethodFails) {
   EXPECT_GT(ghost.behind(), 0);
 }
 
-TEST(Ghost, SaysWhenTheHorizonHasPassed) {
-  // Undamped and thrown into folds: what is a billionth of the size at the start is seen soon.
+/// Undamped and thrown into folds: what is a billionth of the size at the start is seen soon.
+Scene chaos() {
   Scene scene = poke();
   scene.structural = {6000, 0}, scene.shear = {2000, 0}, scene.bend = {0, 0};
   scene.gravity = {0, 3, -9};
   scene.dt = 0.001;
-  Simulation live = liveOf(scene);
+  return scene;
+}
+
+TEST(Ghost, SaysWhenTheHorizonHasPassed) {
+  Simulation live = liveOf(chaos());
   Ghost ghost(live, nullptr);
   for (int frame = 0; frame < 60 && std::isnan(ghost.horizon()); ++frame) live.tick(100), followFully(ghost, live);
   EXPECT_GT(ghost.horizon(), 0);
+  EXPECT_LT(ghost.horizon(), ghost.time());
   EXPECT_FALSE(ghost.gap()->means());
+}
+
+TEST(Ghost, HasTheFloorOfTheStudy) {
+  Scene scene = withSheet(chaos(), 6, 6);
+  scene.precision = Precision::Float, scene.duration = 1;
+  const Reference reference = makeReference(scene, 1, [](double) { return true; });
+  Simulation live = liveOf(scene);
+  Ghost ghost(live, nullptr);
+  constexpr double kBetweenSamples = 1.5;  // the largest amplification may lie between the study's sample times
+  for (const std::size_t sample : {std::size_t{4}, std::size_t{9}, std::size_t{19}}) {
+    while (live.time() < reference.motion.times[sample] - scene.dt / 2) live.tick(5), followFully(ghost, live);
+    const double floor = reference.floorAt(sample, Precision::Float);
+    EXPECT_GT(ghost.gap()->floor, floor / kBetweenSamples) << "at " << live.time();
+    EXPECT_LT(ghost.gap()->floor, floor * kBetweenSamples) << "at " << live.time();
+  }
+  EXPECT_GT(reference.floorOf(Precision::Float), 10 * errorFloor(reference.size, 1, 0, Precision::Float));
 }
 
 }  // namespace

@@ -117,15 +117,15 @@ class GhostPanel final : public Panel {
     if (!ghost_->isReference() || ghost_->time() == 0) return;
     if (ghost_->horizon() <= gap->time) {
       return paragraph(
-          formatted("The horizon passed at %.2f s: the cloth makes so much of the smallest differences that "
-                    "the distance means nothing any more.",
-                    ghost_->horizon()),
+          formatted("The horizon passed at %.2f s: since then the cloth has made so much of rounding and of "
+                    "the smallest differences (%.2g mm) that the distance means nothing any more.",
+                    ghost_->horizon(), 1e3 * gap->floor),
           scope.colours.warning);
     }
     if (gap->rms >= kTellable * gap->floor) {
-      return paragraph(formatted("the reference itself: within %.1g mm", 1e3 * gap->floor), scope.colours.dim);
+      return paragraph(formatted("Distances below %.1g mm mean nothing here.", 1e3 * gap->floor), scope.colours.dim);
     }
-    paragraph(formatted("as close as the reference can tell: within %.1g mm", 1e3 * gap->floor), scope.colours.good);
+    paragraph(formatted("As close as can be told here: within %.1g mm.", 1e3 * gap->floor), scope.colours.good);
   }
 
   void state(const PanelScope& scope) {
