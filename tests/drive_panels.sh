@@ -33,7 +33,7 @@ picks() {
 
 cd "$work"
 export XDG_STATE_HOME=$work/state
-"$tyg" view curtain --log "$log" &
+"$tyg" view curtain --log "$log" --record "$record" &
 viewer=$!
 until_true "it opens" in_state waiting
 few_frames
@@ -86,6 +86,7 @@ press o
 few_frames
 click 1150 350
 until_true "a click on a picture opens its scene" has_step 0.001
+xdotool search --onlyvisible --name '^Tyg: Flag' >/dev/null || fail "the title is not that of the new scene"
 press Escape
 few_frames
 look && [[ $state == waiting ]] || fail "Esc closed more than a panel"
@@ -98,7 +99,19 @@ until_true "it pauses" in_state paused
 press y
 few_frames
 for ending in png toml csv; do [[ -s tyg-flag-1.$ending ]] || fail "Y kept no tyg-flag-1.$ending"; done
-"$tyg" run tyg-flag-1.toml --replay tyg-flag-1.csv >/dev/null || fail "the kept run does not replay to the same bits"
+"$tyg" run --replay tyg-flag-1.csv >/dev/null || fail "the kept run does not replay to the same bits"
+"$tyg" run tyg-flag-1.toml --replay tyg-flag-1.csv >/dev/null || fail "nor does it on the kept scene"
+
+# What is recorded is the scene as it was edited.
+point 170 325
+xdotool click --repeat 2 --delay 50 1
+few_frames
+xdotool type --delay 150 12
+few_frames
+hold Return
+until_true "another sheet waits at its start" in_state waiting
+press space
+until_true "the edited flag flies" later_than 0.1
 
 [[ ! -e $XDG_STATE_HOME/tyg/hints ]] || fail "hints were shown although there is a log"
 press Escape
@@ -108,4 +121,6 @@ code=0
 wait "$viewer" || code=$?
 viewer=
 ((code == 0)) || fail "Escape left with $code"
+grep -q '^# columns = 12' "$record" || fail "the record is not that of the edited scene"
+"$tyg" run --replay "$record" >/dev/null || fail "the record of an edited scene does not replay to the same bits"
 echo "the panels do what is done to them"

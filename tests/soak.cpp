@@ -23,6 +23,7 @@ namespace tyg {
 namespace {
 
 constexpr double kFrame = 1.0 / 60, kHurry = 20;
+constexpr long kFramesPerTelling = 36000;  // ten minutes of the viewer's time
 constexpr int kFramesPerScene = 3000, kFramesToMove = 60;
 /// Of the largest memory in the first half of a run, that the second half may have more, and MB besides: the last ten
 /// seconds of a large sheet take up to 128 MB, and the address sanitizer keeps 256 MB of what was freed.
@@ -59,6 +60,7 @@ class Soak {
         if (!std::isfinite(number)) return "a shown position is not finite in frame " + std::to_string(k);
       }
       if (k % 600 == 0) (k < frames / 2 ? before : after) = std::max(k < frames / 2 ? before : after, megabytes());
+      if (k % kFramesPerTelling == 0 && k > 0) tell(k);
     }
     std::printf(
         "%ld frames, %.0f s of the viewer's time, %ld deeds, %ld freezes; memory at most %.0f MB, then %.0f MB\n",
@@ -78,6 +80,10 @@ class Soak {
     double pages = 0, resident = 0;
     in >> pages >> resident;
     return resident * double(sysconf(_SC_PAGESIZE)) / 1e6;
+  }
+  void tell(long frames) const {
+    std::fprintf(stderr, "soak: %.0f minutes of the viewer's time, %ld deeds, %.0f MB, %s\n",
+                 double(frames) * kFrame / 60, deeds_, megabytes(), viewer_.scene().name.c_str());
   }
   bool chance(double share) { return std::uniform_real_distribution<double>(0, 1)(random_) < share; }
   int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }

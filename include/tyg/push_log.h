@@ -34,10 +34,12 @@ struct PushLog {
   std::int64_t ticks = 0;  ///< length of the run
   std::string hash;        ///< of the state at the end, hexadecimal; empty where nobody asked
   std::vector<LogEvent> events;
+  std::string sceneText;  ///< TOML of the scene as the run began it, whatever its file says by now; empty: not told
   bool operator==(const PushLog&) const = default;
 };
 
-/// As text: `# key = value` lines, then CSV with the header `tick,event,particle,fx,fy,fz,ticks,method,dt`.
+/// As text: `# key = value` lines, the scene's lines after `## ` each, then CSV with the header
+/// `tick,event,particle,fx,fy,fz,ticks,method,dt`.
 std::string formatPushLog(const PushLog& log);
 /// Throws InputError with file, line, what was found and what is allowed.
 PushLog parsePushLog(std::string_view text, const std::string& fileName);

@@ -38,7 +38,7 @@ constexpr const char* kExamples =
     "  tyg run flag --integrator leapfrog --dt 0.001 --ledger\n"
     "  tyg run poke --samples 100 --out poke.csv\n"
     "  tyg run curtain --sheet 200x200 --precision float --threads 2 --json\n"
-    "  tyg run curtain --replay clicks.csv     what `tyg view curtain --record clicks.csv` saw, to the same bits\n\n"
+    "  tyg run --replay clicks.csv             what `tyg view curtain --record clicks.csv` saw, to the same bits\n\n"
     "Exit codes: 0 done; 1 the run became unstable, or a replay ended in other bits; 2 wrong input or usage; 130 "
     "Ctrl-C.\n"
     "After 1 and 130 no CSV file is written.";
@@ -59,6 +59,22 @@ void mustAgree(const char* option, const std::optional<T>& given, const T& logge
                    "; allowed is that, or to leave the option out");
 }
 
+/// The scene that a log carries, or else the one that it names.
+Scene loggedScene(const PushLog& log) {
+  if (log.sceneText.empty()) return loadScene(log.scene, methodNames());
+  Scene scene = parseScene(log.sceneText, "the scene in the log", methodNames());
+  scene.name = log.scene;
+  return scene;
+}
+
+/// Whether two scenes differ in nothing that the log does not say itself.
+bool sameCloth(Scene scene, const Scene& other) {
+  scene.name = other.name, scene.title = other.title, scene.shows = other.shows;
+  scene.integrator = other.integrator, scene.dt = other.dt, scene.precision = other.precision;
+  scene.duration = other.duration;
+  return scene == other;
+}
+
 /// The scene as it was when the log was made. Throws InputError where scene and log cannot belong together.
 Scene fitted(Scene scene, const SceneOptions& options, const PushLog& log) {
   const auto grid = [](int columns, int rows) { return std::to_string(columns) + "x" + std::to_string(rows); };
@@ -68,9 +84,9 @@ Scene fitted(Scene scene, const SceneOptions& options, const PushLog& log) {
                      scene.name + "', allowed is the log's: " + logged + " of scene '" + log.scene +
                      "' (try that scene, or --sheet " + logged + ")");
   }
-  if (log.scene != scene.name) {
-    std::cerr << "tyg run: the log is of scene '" << log.scene << "' and is replayed on '" << scene.name << "'"
-              << std::endl;
+  if (!options.scene.empty() && !log.sceneText.empty() && !sameCloth(scene, loggedScene(log))) {
+    std::cerr << "tyg run: the log was made on another cloth than '" << scene.name
+              << "' is now; without SCENE its own is used" << std::endl;
   }
   const std::string precision(nameOf(log.precision));
   mustAgree("--precision", options.precision, precision, precision);
@@ -160,12 +176,11 @@ int report(Run& run, const RunOptions& options, const PushLog* log) {
 }
 
 int run(const RunOptions& options) {
-  Scene scene = chosenScene(options.scene);
   std::optional<PushLog> log;
-  if (options.replay) {
-    log = readLog(*options.replay);
-    scene = fitted(std::move(scene), options.scene, *log);
-  }
+  if (options.replay) log = readLog(*options.replay);
+  const bool fromLog = options.scene.scene.empty();  // there is one then
+  Scene scene = fromLog ? overridden(loggedScene(*log), options.scene) : chosenScene(options.scene);
+  if (log) scene = fitted(std::move(scene), options.scene, *log);
   std::optional<SampleFile> file;
   if (options.out) file.emplace(*options.out);
 
@@ -191,6 +206,8 @@ void addRunCommand(CLI::App& app, Action& action) {
       app.add_subcommand("run", "Simulate a scene without a window, and report energies, steps and time");
   const auto options = std::make_shared<RunOptions>();
   addSceneOptions(*command, options->scene);
+  options->scene.scene.clear();
+  CLI::Option* scene = command->get_option("SCENE")->required(false);
   constexpr int kMostSamples = 1000000;
   auto* samples = command->add_option("--samples", options->samples,
                                       "Sample times after t = 0 for --out, equally spaced [20]; without --out unused");
@@ -200,13 +217,17 @@ void addRunCommand(CLI::App& app, Action& action) {
   out->type_name("FILE.csv");
   command->add_flag("--ledger", options->ledger, "Follow the dissipated energy too, and report the ledger's drift");
   command->add_flag("--keep-going", options->keepGoing, "Run on past the instability alarm and leave with 0");
-  auto* replay = command->add_option(
-      "--replay", options->replay, "Do again what tyg view --record logged, with the log's method, step and precision");
+  auto* replay = command->add_option("--replay", options->replay,
+                                     "Do again what tyg view --record logged, with the log's method, step and "
+                                     "precision; without SCENE on its own scene");
   replay->type_name("LOG")->excludes(out)->excludes(samples)->excludes(command->get_option("--duration"));
   command->add_flag("--json", options->json, "Print one JSON object instead of the summary, after a failure too");
   command->add_flag("--verbose", options->verbose, "First say on standard error what is simulated, and how");
   command->footer(kExamples);
-  command->callback([options, &action] { action = [options] { return run(*options); }; });
+  command->callback([options, scene, replay, &action] {
+    if (scene->count() == 0 && replay->count() == 0) throw CLI::RequiredError(scene->get_name(true));
+    action = [options] { return run(*options); };
+  });
 }
 
 }  // namespace tyg

@@ -135,7 +135,7 @@ class View {
   void keepPicture() {
     if (!std::exchange(picture_, false)) return;
     readFramebuffer(shown_.width, shown_.height, pixels_);
-    tell([this] { return keeper_.keep(pixels_, viewer_.scene(), viewer_.record()); });
+    tell([this] { return keeper_.keep(pixels_, viewer_.record()); });
   }
 
   void giveNotice() {
@@ -284,7 +284,10 @@ void addViewCommand(CLI::App& app, Action& action) {
       ->type_name("X");
   command->add_option("--log", options->log, "Write one CSV line a frame here, for scripts that watch the window")
       ->type_name("FILE.csv");
-  command->add_option("--record", options->record, "Write the pushes here, for tyg run --replay")->type_name("FILE");
+  command
+      ->add_option("--record", options->record,
+                   "Write the run here, its scene, pushes and changes, for tyg run --replay")
+      ->type_name("FILE");
   command->callback([&action, options] { action = [options] { return view(*options); }; });
 }
 

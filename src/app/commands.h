@@ -31,6 +31,7 @@ struct SceneOptions {
 void addSceneOptions(CLI::App& command, SceneOptions& options, bool sceneRequired = true);
 /// The scene with the overrides applied. Throws InputError.
 Scene chosenScene(const SceneOptions& options);
+Scene overridden(Scene scene, const SceneOptions& options);
 /// The methods that --methods names, each once; where it is empty the one of --integrator, else those of `usual`, else
 /// all. Throws InputError.
 std::vector<const Method*> chosenMethods(const std::string& list, const SceneOptions& options,

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/scene_writer.h"
 #include "core/whole_file.h"
 
 namespace tyg {
@@ -38,14 +37,12 @@ std::string Keeper::freeStem(const std::string& sceneName) const {
   }
 }
 
-std::string Keeper::keep(const Picture& picture, Scene scene, const PushLog& log) {
-  scene.integrator = log.integrator;
-  scene.dt = log.dt;
-  const std::string stem = freeStem(scene.name);
+std::string Keeper::keep(const Picture& picture, const PushLog& log) {
+  const std::string stem = freeStem(log.scene);
   writePng(picture, folder_ / (stem + ".png"));
-  writeWholeFile(folder_ / (stem + ".toml"), sceneToToml(scene));
+  writeWholeFile(folder_ / (stem + ".toml"), log.sceneText);
   writeWholeFile(folder_ / (stem + ".csv"), formatPushLog(log));
-  return stem + ".png is kept; tyg run " + stem + ".toml --replay " + stem + ".csv does this run again.";
+  return stem + ".png is kept; tyg run --replay " + stem + ".csv does this run again.";
 }
 
 void Keeper::beginMovie(const std::string& sceneName, int width, int height) {

@@ -19,9 +19,9 @@ class Keeper {
   /// Files go into `folder`, which must exist by then; their names are tyg-SCENE-NUMBER.
   explicit Keeper(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// Writes the picture, the scene as the run began it, and the run's log; doing that log again on that scene gives the
-  /// same bits. Returns one sentence that names the files. Throws InputError where they cannot be written.
-  std::string keep(const Picture& picture, Scene scene, const PushLog& log);
+  /// Writes the picture, the scene as the run began it, and the run's log, which holds that scene as well. Returns one
+  /// sentence that names the files. Throws InputError where they cannot be written.
+  std::string keep(const Picture& picture, const PushLog& log);
 
   /// Begins a movie of pictures `width` x `height` (odd ones lose a row or column of pixels). Throws InputError where
   /// ffmpeg is missing or the file cannot be written.

@@ -73,8 +73,9 @@ void addSceneOptions(CLI::App& command, SceneOptions& options, bool sceneRequire
       ->group("Scene");
 }
 
-Scene chosenScene(const SceneOptions& options) {
-  Scene scene = loadScene(options.scene, methodNames());
+Scene chosenScene(const SceneOptions& options) { return overridden(loadScene(options.scene, methodNames()), options); }
+
+Scene overridden(Scene scene, const SceneOptions& options) {
   if (options.sheet) {
     const auto [columns, rows] = parsePair(*options.sheet);
     scene = withSheet(std::move(scene), columns, rows);

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::string_view kColumns = "tick,event,particle,fx,fy,fz,ticks,method,dt";
 constexpr std::size_t kColumnCount = 9;
+constexpr std::string_view kSceneMark = "##";
 constexpr std::array<std::string_view, 8> kKeys = {"scene", "columns",   "rows",  "integrator",
                                                    "dt",    "precision", "ticks", "hash"};
 
@@ -100,6 +101,11 @@ class LogReader {
   }
 
   void readKey(std::array<bool, kKeys.size()>& seen) {
+    if (line_.starts_with(kSceneMark)) {
+      const std::string_view rest = line_.substr(kSceneMark.size());
+      log_.sceneText.append(rest.substr(rest.starts_with(' ') ? 1 : 0)).append("\n");
+      return;
+    }
     constexpr std::string_view kMark = "# ", kEquals = " = ";
     const std::size_t equals = line_.find(kEquals);
     if (line_.substr(0, kMark.size()) != kMark || equals == std::string_view::npos) {
@@ -205,6 +211,11 @@ std::string formatPushLog(const PushLog& log) {
                      "\n# rows = " + std::to_string(log.rows) + "\n# integrator = " + log.integrator +
                      "\n# dt = " + textOf(log.dt) + "\n# precision = " + nameOf(log.precision) +
                      "\n# ticks = " + std::to_string(log.ticks) + "\n# hash = " + log.hash + '\n';
+  for (std::string_view rest = log.sceneText; !rest.empty();) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    text.append(kSceneMark).append(end > 0 ? " " : "").append(rest.substr(0, end)).append("\n");
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
   text += std::string(kColumns) + '\n';
   for (const LogEvent& event : log.events) text += lineOf(event) + '\n';
   return text;

@@ -40,11 +40,9 @@ TEST_F(KeeperTest, AKeptRunDoneAgainEndsInTheSameBits) {
   Simulation live(scene, findMethod("rk4"), {.threads = 1});
   live.tick(40), live.push(190, {0, 0, 3}, 20), live.tick(10), live.useMethod(findMethod("leapfrog"));
   live.useStep(0.001), live.tick(50);
-  Scene shown = scene;  // as a window has it by now
-  shown.integrator = "leapfrog", shown.dt = 0.001;
   PushLog log = live.log();
   log.ticks = live.ticks();
-  keeper_.keep(picture(4, 4), shown, log);
+  keeper_.keep(picture(4, 4), log);
 
   const Scene kept = parseScene(textOf("tyg-curtain-1.toml"), "kept", methodNames());
   Simulation again(kept, findMethod(kept.integrator), {.threads = 1});
@@ -57,7 +55,7 @@ TEST_F(KeeperTest, NothingIsOverwritten) {
   const Scene scene = loadScene("curtain");
   const Simulation live(scene, findMethod("rk4"), {.threads = 1});
   std::ofstream(folder_ / "tyg-curtain-1.mp4") << "mine";
-  const std::string said = keeper_.keep(picture(4, 4), scene, live.log());
+  const std::string said = keeper_.keep(picture(4, 4), live.log());
   EXPECT_NE(said.find("tyg-curtain-2.png"), std::string::npos) << said;
   EXPECT_EQ(textOf("tyg-curtain-1.mp4"), "mine");
   EXPECT_EQ(readPng(folder_ / "tyg-curtain-2.png").width, 4);
@@ -67,7 +65,7 @@ TEST_F(KeeperTest, AFolderThatIsGoneIsAnError) {
   const Scene scene = loadScene("curtain");
   const Simulation live(scene, findMethod("rk4"), {.threads = 1});
   std::filesystem::remove_all(folder_);
-  EXPECT_THROW(keeper_.keep(picture(4, 4), scene, live.log()), InputError);
+  EXPECT_THROW(keeper_.keep(picture(4, 4), live.log()), InputError);
 }
 
 TEST_F(KeeperTest, AMovieKeepsTheRhythmOfTheClockAndEndsWhenTheWindowChangesItsSize) {

@@ -10,6 +10,7 @@
 
 #include "app/json.h"
 #include "app/program.h"
+#include "app/run_report.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"
 
@@ -270,6 +271,25 @@ TEST(Run, AReplayUsesTheLogsMethodStepAndPrecisionAndEndsInTheSameBits) {
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(jsonValue(outcome.out, "integrator"), "\"leapfrog\"");
   EXPECT_EQ(jsonValue(outcome.out, "precision"), "\"float\"");
+}
+
+TEST(Run, AReplayWithoutASceneUsesTheOneInItsLog) {
+  Scene moon = loadScene("curtain");
+  moon.gravity = {0, -1.62, 0};
+  Simulation simulation(moon, findMethod("leapfrog"));
+  simulation.push(210, {0, 0, 3}, 5);
+  simulation.tick(30);
+  PushLog log = simulation.log();
+  log.hash = hashText(simulation);
+  const Folder folder;
+  const std::string file = folder.write("moon.csv", formatPushLog(log)).string();
+  const Outcome own = tyg("run --json --replay " + file);
+  EXPECT_EQ(own.code, 0) << own.err;
+  EXPECT_EQ(jsonValue(own.out, "hash"), '"' + log.hash + '"');
+  EXPECT_TRUE(own.err.empty()) << own.err;
+  const Outcome other = tyg("run curtain --replay " + file);
+  EXPECT_EQ(other.code, 1);
+  EXPECT_TRUE(holds(other.err, "without SCENE")) << other.err;
 }
 
 TEST(Run, AReplayThatEndsInOtherBitsFails) {

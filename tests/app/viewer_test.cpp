@@ -194,6 +194,22 @@ TEST_F(ViewerTest, ARecordReplaysToTheSameHash) {
   EXPECT_EQ(again.hash(), viewer_.simulation().hash());
 }
 
+TEST_F(ViewerTest, ARecordOfAnEditedSceneCarriesItAsItWasEdited) {
+  Scene edited = curtain();
+  edited.gravity = {0, -1.62, 0}, edited.structural.kd = 0.4;
+  viewer_.use(edited);
+  tap('4');
+  tap(' ');
+  frames(20);
+  const PushLog log = parsePushLog(formatPushLog(viewer_.record()), "record");
+  const Scene scene = parseScene(log.sceneText, "record", methodNames());
+  Simulation again(scene, findMethod(log.integrator), {.threads = 1});
+  again.replay(log, methods());
+  again.tick(log.ticks);
+  EXPECT_EQ(again.hash(), viewer_.simulation().hash());
+  EXPECT_NE(scene, curtain());
+}
+
 TEST_F(ViewerTest, ARestartHandsOutTheRecordOfTheRunThatEnded) {
   std::vector<PushLog> kept;
   viewer_.onRunEnd([&kept](const PushLog& log) { kept.push_back(log); });

@@ -15,7 +15,8 @@ namespace tyg::test {
 namespace {
 
 PushLog fullLog() {
-  PushLog log{"scenes/my curtain.toml", 20, 30, "rk4", 0.002, Precision::Float, 1000000000000, "00ff12ab34cd56ef", {}};
+  PushLog log{"scenes/my curtain.toml", 20, 30, "rk4", 0.002, Precision::Float, 1000000000000,
+              "00ff12ab34cd56ef",       {}, {}};
   LogEvent push;
   push.particle = 599;
   push.force = {0.1, -1.0 / 3, std::numeric_limits<double>::denorm_min()};
@@ -36,6 +37,14 @@ TEST(PushLog, ComesBackToTheSameBits) {
   quiet.hash.clear();
   quiet.precision = Precision::Double;
   EXPECT_EQ(parsePushLog(formatPushLog(quiet), "log"), quiet);
+}
+
+TEST(PushLog, CarriesItsScene) {
+  PushLog log = fullLog();
+  log.sceneText = "title = \"Mine\"\n\n[sheet]\ncolumns = 20\n";
+  const std::string text = formatPushLog(log);
+  EXPECT_NE(text.find("\n## title = \"Mine\"\n##\n## [sheet]\n## columns = 20\ntick,event"), std::string::npos) << text;
+  EXPECT_EQ(parsePushLog(text, "log"), log);
 }
 
 TEST(PushLog, LooksAsPeopleExpect) {

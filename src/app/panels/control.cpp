@@ -13,7 +13,6 @@
 
 #include "app/edits.h"
 #include "app/overlay.h"
-#include "app/panels/paragraph.h"
 #include "app/viewer.h"
 #include "tyg/methods.h"
 
@@ -239,15 +238,13 @@ class ControlPanel final : public Panel {
       scope.edits.reset(viewer);
     }
     if (edited) wanted = viewer.scene();
-    if (button("Save .toml", "into the folder that tyg was started in", true)) said_ = save(viewer);
+    if (button("Save .toml", "into the folder that tyg was started in", true)) viewer.note(save(viewer));
     ImGui::NewLine();
-    if (said_.empty()) return;
-    paragraph(said_, scope.colours.text);
   }
 
   static std::string save(const Viewer& viewer) {
     try {
-      return "saved as " + saveScene(viewer).string();
+      return saveScene(viewer).string() + " is kept.";
     } catch (const std::exception& error) {
       return error.what();
     }
@@ -256,7 +253,6 @@ class ControlPanel final : public Panel {
   std::optional<Scene> draft_;  ///< what a held field has come to
   std::array<int, 2> size_{};   ///< of the sheet, as typed
   bool typing_ = false;
-  std::string said_;
 };
 
 }  // namespace
