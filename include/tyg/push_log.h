@@ -38,6 +38,8 @@ struct PushLog {
   bool operator==(const PushLog&) const = default;
 };
 
+/// The log of a run of this scene with this method, before anything has been done.
+PushLog beginLog(const Scene& scene, std::string_view integrator);
 /// As text: `# key = value` lines, the scene's lines after `## ` each, then CSV with the header
 /// `tick,event,particle,fx,fy,fz,ticks,method,dt`.
 std::string formatPushLog(const PushLog& log);

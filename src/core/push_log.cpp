@@ -9,6 +9,8 @@
 #include <limits>
 #include <system_error>
 
+#include "core/scene_writer.h"
+
 namespace tyg {
 namespace {
 
@@ -205,6 +207,19 @@ class LogReader {
 };
 
 }  // namespace
+
+PushLog beginLog(const Scene& scene, std::string_view integrator) {
+  PushLog log;
+  log.scene = scene.name;
+  log.columns = scene.columns, log.rows = scene.rows;
+  log.integrator = integrator;
+  log.dt = scene.dt;
+  log.precision = scene.precision;
+  Scene begun = scene;
+  begun.integrator = integrator;
+  log.sceneText = sceneToToml(begun);
+  return log;
+}
 
 std::string formatPushLog(const PushLog& log) {
   std::string text = "# scene = " + log.scene + "\n# columns = " + std::to_string(log.columns) +

@@ -8,7 +8,6 @@
 #include "core/alarm.h"
 #include "core/moving_sheet.h"
 #include "core/run_memory.h"
-#include "core/scene_writer.h"
 #include "tyg/workers.h"
 
 namespace tyg {
@@ -67,10 +66,7 @@ struct Simulation::Body {
       timed.end = push.at + push.duration;
       r.pushes.push_back(timed);
     }
-    r.log = {scene.name, sheet.columns, sheet.rows, std::string(method.name), scene.dt, scene.precision, 0, {}, {}, {}};
-    Scene begun = scene;
-    begun.integrator = method.name;
-    r.log.sceneText = sceneToToml(begun);
+    r.log = beginLog(scene, method.name);
     look();
   }
 
