@@ -22,10 +22,11 @@ std::string name(const Method& method) { return std::string(method.name); }
 
 std::string stableStepLine(const FinishedRun& run) {
   if (std::isnan(run.stableStep)) return "stable step   no limit";
-  if (run.stableStep == 0) return "stable step   none: this method needs damping to hold";
+  if (run.stableStep == 0) return "stable step   none: this method needs damping of every wave to hold";
   const double share = run.simulation.largestStep() / run.stableStep;
-  return formatted("stable step   up to %.4g s is predicted for the sheet at rest; this run used %.3g %% of that",
-                   run.stableStep, 100 * share);
+  const std::string used = share < 2 ? formatted("%.3g %% of that", 100 * share) : formatted("%.0f times that", share);
+  return formatted("stable step   up to %.4g s is predicted for the sheet at rest; this run used ", run.stableStep) +
+         used;
 }
 
 /// The moments inside the run at which a scene's push begins or ends.
@@ -53,8 +54,14 @@ std::string sizeAndMethod(const Simulation& simulation) {
                                  nameOf(scene.precision), simulation.threads(), simulation.threads() == 1 ? "" : "s");
 }
 
+/// Energies and stretch, where they still say something: those of a run that has blown up are digits without meaning.
 std::string energyLines(const FinishedRun& run) {
   const Ledger& now = run.ledger;
+  constexpr double kMostMeaning = 9;  // of stretch: ten times its length
+  const bool cloth = now.maxStretch <= kMostMeaning && std::isfinite(now.kinetic + now.elastic + now.gravitational);
+  if (run.simulation.status() != Status::Ok && !cloth) {
+    return "energy        past meaning: the cloth has flown apart (--json gives the numbers)\n";
+  }
   std::string text =
       formatted("energy        kinetic %.4g J, elastic %.4g J, gravitational %.4g J, work of pushes %.4g J\n",
                 now.kinetic, now.elastic, now.gravitational, now.work);
@@ -62,7 +69,8 @@ std::string energyLines(const FinishedRun& run) {
     text += formatted("ledger        dissipated %.4g J; drift %.3g of the run's energy scale of %.4g J\n",
                       now.dissipated, now.drift, now.scale);
   }
-  return text;
+  return text + formatted("stretch       springs up to %.3g %% longer than at rest (looked at every 64 steps)\n",
+                          100 * now.maxStretch);
 }
 
 std::string firstToFail(const Scene& scene, const StepLimit& limit) {
@@ -117,8 +125,6 @@ std::string runSummary(const FinishedRun& run) {
                       simulation.time() / run.seconds, 1e9 * run.seconds / evaluations / simulation.sheet().count());
   }
   text += "\n" + energyLines(run);
-  text += formatted("stretch       springs up to %.3g %% longer than at rest (looked at every 64 steps)\n",
-                    100 * run.ledger.maxStretch);
   text += stableStepLine(run) + "\n";
   text += "hash          " + hashText(simulation) + "\n";
   text += "status        " + std::string(nameOf(simulation.status())) + "\n";

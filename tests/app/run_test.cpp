@@ -147,6 +147,17 @@ TEST(Run, AFailureNamesMethodStepTimeLimitAndAWayOut) {
   }
 }
 
+TEST(Run, EnergiesOfAClothThatHasFlownApartAreNotPrintedAndThoseOfOneThatTremblesAre) {
+  for (const char* past : {"run wet --integrator rkc2 --dt 0.12", "run wet --dt 0.01 --duration 1 --keep-going"}) {
+    const Outcome apart = tyg(past);
+    EXPECT_TRUE(holds(apart.out, "past meaning")) << apart.out;
+    for (const char* word : {"kinetic", " J", "stretch"}) EXPECT_FALSE(holds(apart.out, word)) << apart.out;
+  }
+  const Outcome trembles = tyg("run fail-jitter");
+  EXPECT_EQ(trembles.code, 1);
+  EXPECT_TRUE(holds(trembles.out, "kinetic")) << trembles.out;
+}
+
 TEST(Run, TheAdvisedStepHolds) {
   const Outcome failed = tyg("run curtain --integrator leapfrog --dt 0.004");
   std::smatch advice;
