@@ -33,9 +33,7 @@ picks() {
 
 cd "$work"
 export XDG_STATE_HOME=$work/state
-"$tyg" view curtain --log "$log" --record "$record" &
-viewer=$!
-until_true "it opens" in_state waiting
+open_window curtain --record "$record"
 few_frames
 
 press k
@@ -117,10 +115,7 @@ until_true "the edited flag flies" later_than 0.1
 press Escape
 few_frames
 press Escape
-code=0
-wait "$viewer" || code=$?
-viewer=
-((code == 0)) || fail "Escape left with $code"
+wait_for_end "Escape"
 grep -q '^# columns = 12' "$record" || fail "the record is not that of the edited scene"
 "$tyg" run --replay "$record" >/dev/null || fail "the record of an edited scene does not replay to the same bits"
 echo "the panels do what is done to them"

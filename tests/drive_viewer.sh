@@ -8,14 +8,10 @@ tyg=$1 backend=$2
 limit=200 # seconds for everything, on a slow and busy machine
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/driving.sh"
 
-"$tyg" view curtain --window "$backend" --log "$log" --record "$record" &
-viewer=$!
-
-until_true "it opens waiting" in_state waiting
+open_window curtain --window "$backend" --record "$record"
 is "$sim_s == 0" || fail "it does not open at time zero"
 few_frames
 is "$sim_s == 0" || fail "it does not wait"
-window=$(xdotool search --sync --onlyvisible --name '^Tyg' | head -n 1)
 
 press space
 until_true "space starts" in_state running
@@ -161,10 +157,7 @@ until_true "the push dies down" later_than 0.6
 press r
 until_true "R restarts once more" at_time 0
 press Escape
-code=0
-wait "$viewer" || code=$?
-viewer=
-((code == 0)) || fail "Escape left with $code"
+wait_for_end "Escape"
 "$tyg" run curtain --replay "$record" >/dev/null || fail "the record does not replay to the same bits"
 grep -q 'push' "$record" && grep -q 'leapfrog' "$record" || fail "the record misses the push or the method"
 
@@ -176,10 +169,7 @@ springs = { structural = { ks = 1200, kd = 0.1 }, shear = { ks = 900, kd = 0.1 }
 world = { drag = 0.3 }
 run = { duration = 1, integrator = "leapfrog", dt = 0.002 }
 END
-"$tyg" view "$work/calm.toml" --window "$backend" --log "$log" &
-viewer=$!
-until_true "it opens once more" in_state waiting
-xdotool search --sync --onlyvisible --name '^Tyg' >/dev/null
+open_window "$work/calm.toml" --window "$backend"
 press space
 until_true "it runs" later_than 1
 few_frames
@@ -190,6 +180,5 @@ asleep_at=$sim_s
 xdotool mousemove 4 600 click 1
 until_true "a push wakes it" later_than "$asleep_at"
 press Escape
-wait "$viewer" || fail "Escape left with an error"
-viewer=
+wait_for_end "Escape"
 echo "$backend: the window does what its keys say"

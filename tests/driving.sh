@@ -1,12 +1,14 @@
 # What the scripts that drive the real window share: a virtual screen, the log's newest line, waiting for what it says.
-# To be sourced, with tyg, backend and limit (seconds for everything) set; starts the script again under Xvfb.
+# To be sourced, with tyg, backend and limit (seconds for everything) set, and where they differ from these the screen and
+# how often until_true looks; starts the script again under Xvfb.
+screen=${screen:-1280x720} turns=${turns:-600}
 
 for tool in xvfb-run xauth xdotool; do
   command -v "$tool" >/dev/null || { echo "missing: $tool (.ci/setup installs it)" && exit 1; }
 done
 if [[ -z ${TYG_DRIVEN:-} ]]; then
   export TYG_DRIVEN=1
-  exec timeout --kill-after=5 "$limit" xvfb-run -a -s "-screen 0 1280x720x24 -nolisten tcp" "$0" "$@"
+  exec timeout --kill-after=5 "$limit" xvfb-run -a -s "-screen 0 ${screen}x24 -nolisten tcp" "$0" "$@"
 fi
 
 work=$(mktemp -d)
@@ -36,7 +38,8 @@ is() { awk "BEGIN { exit !($1) }"; }
 until_true() {
   local what=$1
   shift
-  for ((turn = 0; turn < 600; ++turn)); do
+  local turn
+  for ((turn = 0; turn < turns; ++turn)); do
     kill -0 "$viewer" 2>/dev/null || fail "the viewer ended while waiting: $what"
     if look && "$@"; then return; fi
     sleep 0.05
@@ -59,7 +62,31 @@ stands_still() {
   ((frame >= seen_at + 8))
 }
 press() { xdotool key --clearmodifiers "$1"; }
+# few_frames [COUNT]: from now on.
 few_frames() {
   look
-  until_true "three more frames" frames_since "$((frame + 3))"
+  until_true "more frames" frames_since "$((frame + ${1:-3}))"
+}
+# open_window ARGUMENTS...: a window that waits, which `window` names then.
+open_window() {
+  : >"$log"
+  "$tyg" view "$@" --size "$screen" --log "$log" &
+  viewer=$!
+  until_true "it opens waiting" in_state waiting
+  window=$(xdotool search --sync --onlyvisible --name '^Tyg' | head -n 1)
+}
+# wait_for_end WHAT: the viewer leaves by itself, with exit code 0.
+wait_for_end() {
+  local turn
+  for ((turn = 0; turn < turns; ++turn)); do
+    if ! kill -0 "$viewer" 2>/dev/null; then
+      local code=0
+      wait "$viewer" || code=$?
+      viewer=
+      ((code == 0)) || fail "$1 left with $code"
+      return
+    fi
+    sleep 0.05
+  done
+  fail "$1 does not leave"
 }
