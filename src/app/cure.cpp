@@ -1,6 +1,7 @@
 // See cure.h.
 #include "app/cure.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/text.h"
@@ -58,9 +59,9 @@ double roundedDown(double step) {
   return std::floor(step / unit * (1 + 1e-12)) * unit;
 }
 
-const Method* methodThatHolds(const Scene& scene, const Method& failed, double step) {
+const Method* methodThatHolds(const Scene& scene, const Method& failed, double step, double share) {
   for (const Method& method : methods()) {
-    const double limit = restLatticeLimit(scene, method);
+    const double limit = share * restLatticeLimit(scene, method);
     if (method.name != failed.name && !(limit < 1.05 * step) && takes(method, scene)) return &method;
   }
   return nullptr;
@@ -69,7 +70,10 @@ const Method* methodThatHolds(const Scene& scene, const Method& failed, double s
 Cure findCure(const Simulation& simulation, double limit) {
   Cure cure;
   const double step = simulation.dt();
-  cure.method = methodThatHolds(simulation.scene(), simulation.method(), step);
+  const double rest = restLatticeLimit(simulation.scene(), simulation.method());
+  // A cloth that broke below its limit at rest is so stretched that other methods' limits at rest say too much as well.
+  const double share = rest > step && !chooses(simulation) ? std::min(limit, step) / rest : 1;
+  cure.method = methodThatHolds(simulation.scene(), simulation.method(), step, share);
   if (chooses(simulation) || limit == 0) return cure;
   // A limit that was kept and broke all the same says too much: half of the step that broke is the next best guess.
   cure.step = roundedDown(limit <= step ? kSafeShare * limit : step / 2);

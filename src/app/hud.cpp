@@ -145,24 +145,25 @@ void Hud::draw(Viewer& viewer, Panels& panels) {
   const std::string_view title = viewer.simulation().scene().title;
   pen.shade({size_, size_}, {size_ + pen.extent(title).x, 2 * size_});
   pen.write({size_, size_}, colours.text, title);
+  const float free = drawFoot(viewer);
   if (viewer.showsHelp()) {
     for (const bool choices : {false, true}) {
-      if (panels.width(choices ? Edge::Right : Edge::Left) == 0) drawKeys(viewer, colours, choices);
+      if (panels.width(choices ? Edge::Right : Edge::Left) == 0) drawKeys(viewer, colours, choices, free);
     }
   } else if (panels.width(Edge::Left) == 0) {
     write(font_, size_, {size_, size_ * (1 + kLineRatio)}, colours.dim, "H shows the keys");
   }
-  drawFoot(viewer);
   drawArrow(viewer, colours);
   panels.draw(viewer);
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-void Hud::drawKeys(const Viewer& viewer, const Colours& colours, bool choices) const {
+/// As many lines as fit above `free`.
+void Hud::drawKeys(const Viewer& viewer, const Colours& colours, bool choices, float free) const {
   const Column column = columnOf(choices, screenSize());
   const float bottom = column.top + (kLineRatio * float(column.lines) + (choices ? 0.6F : 0)) * column.size;
-  penFor(viewer).shade({column.left, column.top}, {column.left + column.width, bottom});
+  penFor(viewer).shade({column.left, column.top}, {column.left + column.width, std::min(bottom, free - column.size)});
   float y = column.top;
   bool methodLines = choices;
   for (const HelpLine& line : help_) {
@@ -171,6 +172,7 @@ void Hud::drawKeys(const Viewer& viewer, const Colours& colours, bool choices) c
       methodLines = false;
       y += 0.6F * column.size;
     }
+    if (y + kLineRatio * column.size > free) break;
     const bool on = isOn(line, viewer);
     write(font_, column.size, {column.left, y}, on ? colours.accent : colours.text, line.keys);
     write(font_, column.size, {column.left + column.keys, y}, on ? colours.accent : colours.dim, line.help);

@@ -42,13 +42,13 @@ class Hud {
   struct Column;
   [[nodiscard]] Column measure(bool choices) const;
   [[nodiscard]] Column columnOf(bool choices, const ImVec2& screen) const;
-  void drawKeys(const Viewer& viewer, const Colours& colours, bool choices) const;
+  void drawKeys(const Viewer& viewer, const Colours& colours, bool choices, float free) const;
   [[nodiscard]] Pen penFor(const Viewer& viewer) const;
-  void drawFoot(const Viewer& viewer);
+  float drawFoot(const Viewer& viewer);
   [[nodiscard]] float drawStatus(const Viewer& viewer) const;
   float drawTimeLine(const Viewer& viewer, float bottom);
   void drawPrompt(const Viewer& viewer, float bottom) const;
-  void drawFailure(const Viewer& viewer, float bottom);
+  float drawFailure(const Viewer& viewer, float bottom);
   void drawArrow(const Viewer& viewer, const Colours& colours) const;
 
   Window& window_;

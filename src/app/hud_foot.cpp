@@ -38,15 +38,14 @@ std::vector<Buttons::Button> waysOut(const Viewer& viewer) {
 
 }  // namespace
 
-void Hud::drawFoot(const Viewer& viewer) {
+/// Returns the height down to which keys may be written: what is said in the middle does not cover them.
+float Hud::drawFoot(const Viewer& viewer) {
   float bottom = drawStatus(viewer);
   bottom = drawTimeLine(viewer, bottom);
-  if (viewer.state() == RunState::Frozen) {
-    drawFailure(viewer, bottom);
-  } else {
-    buttons_.hide();
-    drawPrompt(viewer, bottom);
-  }
+  if (viewer.state() == RunState::Frozen) return drawFailure(viewer, bottom);
+  buttons_.hide();
+  drawPrompt(viewer, bottom);
+  return ImGui::GetIO().DisplaySize.y;
 }
 
 /// Returns the height above which the window is free.
@@ -90,7 +89,8 @@ float Hud::drawTimeLine(const Viewer& viewer, float bottom) {
   return bottom - 2 * size_;
 }
 
-void Hud::drawFailure(const Viewer& viewer, float bottom) {
+/// Returns the height above which the window is free.
+float Hud::drawFailure(const Viewer& viewer, float bottom) {
   const Pen pen = penFor(viewer);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const std::vector<Buttons::Button> buttons = waysOut(viewer);
@@ -102,6 +102,7 @@ void Hud::drawFailure(const Viewer& viewer, float bottom) {
   pen.shade({at.x - 0.5F * size_, at.y - 0.4F * size_}, {at.x + width + 0.5F * size_, bottom - 0.6F * size_});
   pen.write(at, coloursOn(pen.background).warning, viewer.message(), room);
   buttons_.draw(pen, {at.x, at.y + extent.y + 0.5F * size_}, buttons, room);
+  return at.y - 0.4F * size_;
 }
 
 void Hud::drawPrompt(const Viewer& viewer, float bottom) const {
