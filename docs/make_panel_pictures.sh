@@ -1,60 +1,79 @@
 #!/usr/bin/env bash
-# Takes a picture of each panel in the real window at 1280x720 and 1920x1080, for looking at, and the README's picture of
-# the laboratory: ./docs/make_panel_pictures.sh [path of tyg [FOLDER]]      (FOLDER: build/panels; PANEL-SIZE.png)
-# On a virtual screen, with real keys and clicks; it needs xvfb, xdotool and ffmpeg.
+# Takes pictures of every panel in the real window at 1280x720 and 1920x1080, dark and light, for looking at, and the
+# README's picture of the laboratory: ./docs/make_panel_pictures.sh [path of tyg [FOLDER]]
+# FOLDER: build/panels, for PANEL-SIZE.png. On a virtual screen, with real keys and clicks; it needs what tests/driving.sh
+# needs, and ffmpeg.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 tyg=$(readlink -f "${1:-$here/../build/release/tyg}")
 folder=${2:-$here/../build/panels}
 mkdir -p "$folder"
 folder=$(readlink -f "$folder")
-panels=(control:k gallery:o) # name:key
 
 if [[ -z ${TYG_SCREEN:-} ]]; then
-  for size in 1280x720 1920x1080; do
-    TYG_SCREEN=$size xvfb-run -a -s "-screen 0 ${size}x24 -nolisten tcp" "$here/make_panel_pictures.sh" "$tyg" "$folder"
-  done
+  for size in 1280x720 1920x1080; do TYG_SCREEN=$size "$here/make_panel_pictures.sh" "$tyg" "$folder"; done
   cp "$folder/laboratory-1280x720.png" "$here/laboratory.png"
   exit
 fi
+screen=$TYG_SCREEN backend=glfw limit=900 turns=2400
+source "$here/../tests/driving.sh"
+width=${screen%x*} height=${screen#*x}
 
-size=$TYG_SCREEN
-log=$(mktemp)
-"$tyg" view curtain --size "$size" --log "$log" &
-viewer=$!
-trap 'kill "$viewer" 2>/dev/null || true; rm -f "$log"' EXIT
-# wait_for CONDITION: polls the log's newest line, an awk condition over its columns ($1 frame, $3 sim_s, $4 state).
-wait_for() {
-  for ((turn = 0; turn < 1200; ++turn)); do
-    if tail -n 1 "$log" | awk -F, "NF == 13 { found = ($1) } END { exit !found }"; then return; fi
-    sleep 0.05
-  done
-  echo "make_panel_pictures: never came to $1" >&2
-  exit 1
-}
-frames() { wait_for "\$1 > $(tail -n 1 "$log" | cut -d, -f1) + $1"; }
 picture() {
-  frames 60 # a panel finds its place, and what it draws in the background fills in
+  few_frames 8
   sleep 0.5 # for the frame to reach the screen
-  ffmpeg -loglevel error -y -f x11grab -video_size "$size" -i "$DISPLAY" -frames:v 1 "$folder/$1-$size.png"
+  ffmpeg -loglevel error -y -f x11grab -video_size "$screen" -i "$DISPLAY" -frames:v 1 "$folder/$1-$screen.png"
+}
+both() {
+  picture "$1"
+  press b
+  picture "$1-light"
+  press b
+}
+# From the start, poked on the way, and paused.
+run_a_while() {
+  press r
+  until_true "a restart" in_state waiting
+  press space
+  until_true "it swings" later_than 0.4
+  xdotool mousemove --window "$window" $((width / 2)) $((height * 2 / 5)) click 1 mousemove $((width / 2)) 20
+  until_true "it is poked" later_than 0.75
+  press space
+  until_true "it pauses" in_state paused
 }
 
-wait_for '$4 == "waiting"'
-xdotool mousemove $((${size%x*} / 2)) 20 key space
-wait_for '$3 > 0.55'
-xdotool key space
-wait_for '$4 == "paused"'
-for panel in "${panels[@]}"; do
-  xdotool key "${panel#*:}"
-  picture "${panel%:*}"
-  xdotool key b
-  picture "${panel%:*}-light"
-  xdotool key b "${panel#*:}"
+cd "$work"
+open_window curtain
+for panel in control:k gallery:o ghost:g stretch:t energy:equal traces:slash; do # name:key
+  press "${panel#*:}"
+  run_a_while
+  if [[ $panel == gallery:* ]]; then few_frames 60; fi # its pictures are drawn by and by
+  both "${panel%:*}"
+  press "${panel#*:}"
 done
-xdotool key k
-frames 4
-xdotool key o
-frames 4
-xdotool key f
+
+press o
+few_frames
+for ((notch = 0; notch < 80; ++notch)); do xdotool mousemove $((width - 100)) $((height / 2)) click 5; done
+picture gallery-end
+press k
+few_frames
+xdotool mousemove $((width / 2)) 20
 picture laboratory
-kill "$viewer"
+press o
+press r
+press space
+xdotool keydown bracketright
+until_true "the step passes its limit" step_past 0.0044
+xdotool keyup bracketright
+until_true "the alarm freezes it" in_state frozen
+few_frames
+picture control-failure
+press k
+press r
+
+press c
+sleep 40 # points come in
+both chart
+xdotool mousemove $((width - 400)) $((height / 4))
+picture chart-hover

@@ -66,7 +66,8 @@ class Simulation {
   /// goes (unless keepGoing) or the observer says stop.
   void advanceTo(double time);
   /// Advances by exactly `count` ticks of dt; a tick is cut where a scene's push begins or ends inside it. Stops early
-  /// as advanceTo does. Many at once are the same bits as one by one, and faster; none where `count` is below 1.
+  /// as advanceTo does, but between ticks: one that the observer stops has not begun. Many at once are the same bits as
+  /// one by one, and faster; none where `count` is below 1.
   void tick(std::int64_t count = 1);
   /// Called about every 64 steps; return false to stop. For progress and interruption.
   void observe(std::function<bool()> observer);

@@ -84,4 +84,13 @@ std::string describeFailure(const Simulation& simulation, double limit, const Cu
   return whatBroke(simulation) + cause(simulation, limit) + waysOut(simulation, cure);
 }
 
+std::string describeStall(const Simulation& simulation, double seconds, const Cure& cure) {
+  const std::string holds =
+      cure.method != nullptr ? "; take " + name(*cure.method) + ", which holds with this step." : ".";
+  return name(simulation.method()) +
+         formatted(" came to a stand at %.3f s: in %.3g s of computing, ", simulation.time(), seconds) +
+         formatted("the steps that its tolerance of %.4g mm asks for ", 1e3 * simulation.scene().tolerance) +
+         formatted("did not reach the end of a tick of %.4g ms", 1e3 * simulation.dt()) + holds;
+}
+
 }  // namespace tyg

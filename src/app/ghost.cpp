@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "tyg/methods.h"
 
@@ -19,7 +20,8 @@ constexpr double kTwinDistance = kReferenceTolerance;
 /// Of the size: a floor above this one could be seen, if not by eye, then on the scale of colours.
 constexpr double kSeenFloor = 1e-5;
 
-constexpr std::int64_t kStride = 8;  // ticks between looks at the clock
+constexpr std::int64_t kStride = 8;   // ticks between looks at the clock
+constexpr double kLongestStride = 1;  // s
 constexpr std::size_t kMostCheckpoints = 16;
 constexpr std::int64_t kFirstSpacing = 64;  // ticks between checkpoints; doubled whenever there are too many
 
@@ -53,6 +55,7 @@ void Ghost::begin(const Simulation& live) {
   checkpoints_.clear();
   ticksBetweenCheckpoints_ = kFirstSpacing;
   told_ = {};
+  stalled_ = false;
   keepCheckpoint();
   gap_.reset();
   positions_.resize(3 * static_cast<std::size_t>(live.sheet().count()));
@@ -116,22 +119,36 @@ void Ghost::stride(const Simulation& live) {
   const std::int64_t count = end - main_->ticks();
   main_->tick(count);
   if (twin_) twin_->tick(count);
+  if (twin_ && twin_->ticks() != main_->ticks()) return;  // it was given up
   if (main_->ticks() - checkpoints_.back().tick >= ticksBetweenCheckpoints_) keepCheckpoint();
+}
+
+/// Small steps may be too many for one frame.
+bool Ghost::strideInTime(const Simulation& live, const Clock& clock) {
+  bool late = false;
+  const auto watch = [&, began = clock()] { return !(late = late || clock() - began >= kLongestStride); };
+  main_->observe(watch);
+  if (twin_) twin_->observe(watch);
+  stride(live);
+  main_->observe({});
+  if (twin_) twin_->observe({});
+  return !late;
 }
 
 void Ghost::follow(const Simulation& live, double seconds, const Clock& clock) {
   if (live.scene() != liveScene_) begin(live);
   if (hasStrayed(live)) goBack(live);
+  if (live.ticks() < std::exchange(seen_, live.ticks())) stalled_ = false;
   const std::int64_t before = main_->ticks();
   const double start = clock();
-  while (main_->ticks() < live.ticks() && main_->check() == Status::Ok) {
-    stride(live);
+  while (!stalled_ && main_->ticks() < live.ticks() && main_->check() == Status::Ok) {
+    stalled_ = !strideInTime(live, clock);
     if (clock() - start >= seconds) break;
   }
   behind_ = main_->ticks() == live.ticks() ? 0 : std::max(0.0, live.time() - main_->time());
   if (main_->ticks() == before && gap_) return;
   main_->copyPositions(positions_);
-  if (main_->ticks() == live.ticks()) measure(live);
+  if (main_->ticks() == live.ticks() && !stalled_) measure(live);
 }
 
 void Ghost::measure(const Simulation& live) {

@@ -46,6 +46,8 @@ class Ghost {
   /// s from the ghost to the live cloth at the last follow(); 0: in step.
   [[nodiscard]] double behind() const { return behind_; }
   [[nodiscard]] Status status() const { return main_->status(); }
+  /// A tick of it took longer than a second: it has stopped, until the live one goes back in time or begins anew.
+  [[nodiscard]] bool stalled() const { return stalled_; }
   /// Force evaluations by the ghost (and its twin) since it began; goes back with it in time.
   [[nodiscard]] std::int64_t forceEvaluations() const;
 
@@ -80,6 +82,7 @@ class Ghost {
   void goBack(const Simulation& live);
   void keepCheckpoint();
   void stride(const Simulation& live);
+  bool strideInTime(const Simulation& live, const Clock& clock);
   void measure(const Simulation& live);
 
   const Method *second_, *method_;
@@ -89,6 +92,8 @@ class Ghost {
   std::vector<Checkpoint> checkpoints_;
   std::int64_t ticksBetweenCheckpoints_ = 0;
   double behind_ = 0;
+  bool stalled_ = false;
+  std::int64_t seen_ = 0;  ///< ticks of the live one at the last follow()
   Told told_;
   std::optional<GhostGap> gap_;
   std::vector<float> positions_, distances_;

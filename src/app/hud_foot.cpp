@@ -22,7 +22,7 @@ void describeSpeed(double speed, std::array<char, 32>& text) {
 
 std::vector<Buttons::Button> waysOut(const Viewer& viewer) {
   std::vector<Buttons::Button> buttons;
-  const bool canRunOn = viewer.simulation().status() != Status::NotFinite && !viewer.breaking();
+  const bool canRunOn = viewer.simulation().status() == Status::Unstable && !viewer.breaking();
   if (const auto& cure = viewer.cure()) {
     std::array<char, 64> text{};
     std::snprintf(text.data(), text.size(), "a step of %.3g ms", 1e3 * cure->step);

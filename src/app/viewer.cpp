@@ -71,6 +71,7 @@ Viewer::Viewer(const Scene& scene, const Settings& settings, Clock clock)
       frameClock_(scene.dt),
       lastFrame_(clock_()),
       positions_(static_cast<std::size_t>(3 * simulation_.sheet().count())) {
+  limitTicks();
   history_.begin(simulation_);
   showState();
   room_ = roomOf(simulation_, box_, settings_, clock_);

@@ -167,6 +167,8 @@ class Viewer {
   void watchForSleep();
   [[nodiscard]] bool still() const;
   void freezeOnAlarm();
+  void freezeOnStall();
+  void limitTicks();
   void measure(double frameSeconds, double simulatingSeconds);
   [[nodiscard]] bool held(InputAction action) const { return held_.at(static_cast<std::size_t>(action)); }
   [[nodiscard]] Motion motion() const;
@@ -189,6 +191,7 @@ class Viewer {
   bool leaving_ = false;
   bool woken_ = false;      ///< this frame ends an idle time
   bool seeking_ = false;    ///< on the way to history_.target()
+  bool late_ = false;       ///< a tick was given up
   bool breaking_ = false;   ///< runs on past its alarm
   bool replaying_ = false;  ///< the past is shown again, slowly
   bool framed_ = false;
@@ -199,6 +202,7 @@ class Viewer {
   std::function<void()> arrived_;  ///< done at history_.target()
   double speedBefore_ = 1;         ///< that a replay goes back to
   std::optional<Cure> cure_;
+  double tickBegan_ = 0;    ///< s, of the clock
   double tickSeconds_ = 0;  ///< wall time of a tick, smoothed; 0 before the first
 
   std::vector<float> positions_, next_;

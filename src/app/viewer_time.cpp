@@ -13,6 +13,7 @@ namespace {
 constexpr double kSimulatingSeconds = 0.012;
 /// Ticks in one call: so many steps are fused.
 constexpr std::int64_t kMostTogether = 64;
+constexpr double kLongestTick = 2;      // s: then a method of free steps has failed
 constexpr double kTickSmoothing = 0.2;  // of the wall time of a tick, from call to call
 
 /// A cure goes on from this long before the last good frame, where the failure has not yet grown; simulated s.
@@ -109,7 +110,7 @@ void Viewer::changeSpeed(double factor) {
 }
 
 void Viewer::runOn() {
-  if (!cure_ || breaking_ || simulation_.status() == Status::NotFinite) return;
+  if (!cure_ || breaking_ || simulation_.status() != Status::Unstable) return;
   cure_.reset();
   message_.clear();
   breaking_ = true;
@@ -181,6 +182,7 @@ void Viewer::startOver(Simulation fresh) {
   cure_.reset();
   lastGood_.reset();
   simulation_ = std::move(fresh);
+  limitTicks();
   positions_.resize(static_cast<std::size_t>(3 * simulation_.sheet().count()));
   history_.begin(simulation_);
   stepMargin_.restart();
@@ -223,14 +225,19 @@ int Viewer::run(std::int64_t ticks, double seconds) {
     while (simulation_.ticks() < end && (simulation_.ticks() == first || now - start < seconds)) {
       if (!history_.past()) keepPushing();
       const std::int64_t before = simulation_.ticks();
+      tickBegan_ = now;
       history_.tick(simulation_, together(end - before, start + seconds - now));
       const std::int64_t ran = simulation_.ticks() - before;
-      if (ran == 0) break;  // the alarm went
+      if (ran == 0 || late_) break;  // the alarm went, or a tick was given up
       const double took = (clock_() - now) / double(ran);
       tickSeconds_ += (tickSeconds_ > 0 ? kTickSmoothing : 1) * (took - tickSeconds_);
       now = clock_();
     }
-    if (simulation_.ticks() > first && !seeking_) showState();
+    if (late_) {
+      freezeOnStall();
+    } else if (simulation_.ticks() > first && !seeking_) {
+      showState();
+    }
   } catch (const std::exception& error) {
     seeking_ = false;
     freeze(error.what());
@@ -282,6 +289,26 @@ void Viewer::freezeOnAlarm() {
   freeze(describeFailure(simulation_, limit, cure));
   cure_ = cure;
   if (!lastGood_) lastGood_ = History::Moment{shownTick_, time_};
+}
+
+/// The simulation stands at the beginning of the tick that was given up.
+void Viewer::freezeOnStall() {
+  late_ = false;
+  if (!std::exchange(seeking_, false)) showState();
+  if (state_ == RunState::Frozen) return;
+  endReplay();
+  const Cure cure = findCure(simulation_, margin().limit);
+  freeze(describeStall(simulation_, kLongestTick, cure));
+  cure_ = cure;
+  if (!lastGood_) lastGood_ = History::Moment{shownTick_, time_};
+}
+
+/// A method of free steps may choose ever smaller ones: no frame waits for that.
+void Viewer::limitTicks() {
+  simulation_.observe([this] {
+    late_ = clock_() - tickBegan_ >= kLongestTick;
+    return !late_;
+  });
 }
 
 void Viewer::freeze(std::string message) {

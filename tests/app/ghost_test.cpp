@@ -120,14 +120,30 @@ TEST(Ghost, FallsBehindWhereItsTimeIsShortAndCatchesUp) {
   Simulation live = liveOf(poke());
   Ghost ghost(live, nullptr);
   double now = 0;
-  const auto slowMachine = [&now] { return now += 1; };
+  const auto slowMachine = [&now] { return now += 0.1; };
   live.tick(100);
-  ghost.follow(live, 0.5, slowMachine);
+  ghost.follow(live, 0.05, slowMachine);
   EXPECT_GT(ghost.behind(), 0);
   EXPECT_FALSE(ghost.gap());
-  for (int frame = 0; frame < 50 && ghost.behind() > 0; ++frame) ghost.follow(live, 0.5, slowMachine);
+  for (int frame = 0; frame < 50 && ghost.behind() > 0; ++frame) ghost.follow(live, 0.05, slowMachine);
   EXPECT_EQ(ghost.behind(), 0);
   EXPECT_EQ(ghost.time(), live.time());
+  EXPECT_TRUE(ghost.gap());
+}
+
+TEST(Ghost, ComesToAStandWhereATickTakesTooLongAndGoesOnAfterARestart) {
+  Scene scene = poke();
+  scene.dt = 5, scene.integrator = "backward-euler";  // thousands of the reference's steps in each tick
+  Simulation live = liveOf(scene, "backward-euler");
+  Ghost ghost(live, nullptr);
+  double now = 0;
+  live.tick(2);
+  ghost.follow(live, kPlenty, [&now] { return now += 0.1; });
+  EXPECT_TRUE(ghost.stalled());
+  EXPECT_EQ(ghost.time(), 0);
+  EXPECT_FALSE(ghost.gap());
+  live = liveOf(scene, "backward-euler"), followFully(ghost, live);
+  live.tick(1), followFully(ghost, live);
   EXPECT_TRUE(ghost.gap());
 }
 

@@ -15,7 +15,7 @@ class ViewerTest : public testing::Test {
   static Scene curtain() { return loadScene("curtain", methodNames()); }
 
   explicit ViewerTest(const Scene& scene = curtain())
-      : viewer_(scene, Settings{.threads = 1}, [this] { return now_; }) {
+      : viewer_(scene, Settings{.threads = 1}, [this] { return now_ += look_; }) {
     viewer_.resize({.width = 1280, .height = 720}, {.left = 200, .right = 200});
   }
   void press(KeyCode key, double x = 0, double y = 0) {
@@ -40,6 +40,7 @@ class ViewerTest : public testing::Test {
   [[nodiscard]] std::int64_t ticks() const { return viewer_.simulation().ticks(); }
 
   double now_ = 100;
+  double look_ = 0;  ///< s that each look at the clock takes
   Viewer viewer_;
 };
 

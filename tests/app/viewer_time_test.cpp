@@ -302,6 +302,31 @@ TEST_F(CalmViewerTest, ItsSleepIsNoPartOfTheRecord) {
   EXPECT_EQ(again.hash(), viewer_.simulation().hash());
 }
 
+/// Its method chooses some hundred steps for each tick, and each look at the clock takes a second.
+class StallingViewerTest : public ViewerTest {
+ protected:
+  static Scene stalling() {
+    Scene scene = curtain();
+    scene.integrator = "dopri54", scene.dt = 0.05, scene.tolerance = 1e-13;
+    return scene;
+  }
+  StallingViewerTest() : ViewerTest(stalling()) { look_ = 1; }
+};
+
+TEST_F(StallingViewerTest, NoFrameWaitsForATickThatDoesNotEnd) {
+  tap(' ');
+  frames(3, 0.5);
+  EXPECT_EQ(viewer_.state(), RunState::Frozen);
+  EXPECT_NE(viewer_.message().find("dopri54 came to a stand at 0.000 s"), std::string::npos) << viewer_.message();
+  EXPECT_EQ(ticks(), 0);
+  look_ = 0;
+  tap('M');
+  frames(3, 0.5);
+  EXPECT_EQ(viewer_.state(), RunState::Running);
+  EXPECT_NE(viewer_.method().name, "dopri54");
+  EXPECT_GT(viewer_.time(), 0);
+}
+
 class PushedLaterViewerTest : public ViewerTest {
  protected:
   static Scene pushedLater() {

@@ -99,6 +99,28 @@ TEST(Edits, AReplayedLogGivesTheSameBits) {
   }
 }
 
+TEST(Edits, ATickThatTheObserverStopsHasNotBegun) {
+  Scene scene = tickingSheet();
+  scene.tolerance = 1e-12;
+  Simulation simulation(scene, findMethod("dopri54"));
+  simulation.useStep(1);  // some hundred steps of the method's own
+  simulation.tick();
+  const std::uint64_t hash = simulation.hash();
+  simulation.push(kMiddle, kPush, 1);
+  simulation.observe([] { return false; });
+  simulation.tick(2);
+  EXPECT_EQ(simulation.ticks(), 1);
+  EXPECT_EQ(simulation.time(), 1);
+  EXPECT_EQ(simulation.hash(), hash);
+  simulation.observe({});
+  simulation.tick();
+  Simulation never(scene, findMethod("dopri54"));
+  never.useStep(1);
+  never.tick(), never.push(kMiddle, kPush, 1), never.tick();
+  EXPECT_EQ(simulation.hash(), never.hash());
+  EXPECT_EQ(simulation.log(), never.log());
+}
+
 TEST(Edits, ALogOfAnotherSheetMethodStepOrPrecisionIsRefused) {
   const Scene scene = tickingSheet();
   const PushLog right = Simulation(scene, findMethod("rk4")).log();

@@ -52,7 +52,9 @@ class GhostPanel final : public Panel {
   }
 
   void close() override { ghost_.reset(); }
-  [[nodiscard]] bool busy() const override { return ghost_ && ghost_->behind() > 0 && ghost_->status() == Status::Ok; }
+  [[nodiscard]] bool busy() const override {
+    return ghost_ && ghost_->behind() > 0 && ghost_->status() == Status::Ok && !ghost_->stalled();
+  }
 
   void paint(ClothPicture& picture) override {
     if (!ghost_) return;
@@ -131,6 +133,10 @@ class GhostPanel final : public Panel {
   void state(const PanelScope& scope) {
     if (ghost_->status() != Status::Ok) {
       return paragraph(formatted("The ghost's method failed at %.3f s.", ghost_->time()), scope.colours.warning);
+    }
+    if (ghost_->stalled()) {
+      return paragraph(formatted("The ghost came to a stand at %.3f s: its steps became too many.", ghost_->time()),
+                       scope.colours.warning);
     }
     if (ghost_->behind() > kNoticed) {
       paragraph(formatted("The ghost is %.2f s behind: this machine cannot compute both in time.", ghost_->behind()),
