@@ -52,15 +52,23 @@ for panel in control:k gallery:o ghost:g stretch:t energy:equal traces:slash; do
   press "${panel#*:}"
 done
 
+press k
 press o
-few_frames
+few_frames 60
+picture laboratory
+press k
 for ((notch = 0; notch < 80; ++notch)); do xdotool mousemove $((width - 100)) $((height / 2)) click 5; done
 picture gallery-end
-press k
-few_frames
-xdotool mousemove $((width / 2)) 20
-picture laboratory
 press o
+
+press c
+sleep 40 # points come in
+both chart
+xdotool mousemove $((width - 400)) $((height / 4))
+picture chart-hover
+press c
+
+press k
 press r
 press space
 xdotool keydown bracketright
@@ -69,11 +77,3 @@ xdotool keyup bracketright
 until_true "the alarm freezes it" in_state frozen
 few_frames
 picture control-failure
-press k
-press r
-
-press c
-sleep 40 # points come in
-both chart
-xdotool mousemove $((width - 400)) $((height / 4))
-picture chart-hover

@@ -12,16 +12,11 @@
 namespace tyg {
 namespace {
 
-/// Past the limit: vermilion, which the colour-blind tell from the bluish green of a safe step (Okabe and Ito, 2008).
-ImU32 pastColour(Background background) {
-  return background == Background::Dark ? IM_COL32(240, 96, 40, 255) : IM_COL32(200, 66, 0, 255);
-}
-
 constexpr double kBarEnd = 1.25;      // of the limit
 constexpr double kLeastCost = 0.001;  // that is told as a number: a share of the time
 
 ImU32 colourOf(MarginBand band, Background background) {
-  if (band == MarginBand::Past) return pastColour(background);
+  if (band == MarginBand::Past) return coloursOn(background).past;
   return band == MarginBand::Close ? coloursOn(background).warning : coloursOn(background).good;
 }
 
@@ -139,8 +134,8 @@ void TimeLine::draw(const Pen& pen, ImVec2 from, ImVec2 to, const Viewer& viewer
   pen.list->AddRectFilled({left, middle - thick}, {handle, middle + thick}, ink.accent);
   if (viewer.state() == RunState::Frozen) {  // where it broke
     const float arm = 0.3F * pen.size, width = std::max(2.0F, pen.size / 8);
-    pen.list->AddLine({right - arm, middle - arm}, {right + arm, middle + arm}, pastColour(pen.background), width);
-    pen.list->AddLine({right - arm, middle + arm}, {right + arm, middle - arm}, pastColour(pen.background), width);
+    pen.list->AddLine({right - arm, middle - arm}, {right + arm, middle + arm}, ink.past, width);
+    pen.list->AddLine({right - arm, middle + arm}, {right + arm, middle - arm}, ink.past, width);
   }
   pen.list->AddCircleFilled({handle, middle}, 0.4F * pen.size, ink.accent, 24);
   from_ = {left, from.y}, to_ = {right, to.y};

@@ -130,7 +130,11 @@ class ControlPanel final : public Panel {
     ImGui::Dummy({0, 0});
     ImGui::SameLine(kLabels * scope.size + ImGui::GetStyle().WindowPadding.x);
     // The foot of the window says more; here it is one line, so that nothing below it moves.
-    const Colour colour = margin.band() == MarginBand::Fine ? scope.colours.dim : scope.colours.warning;
+    const Colours& colours = scope.colours;
+    const MarginBand band = margin.band();
+    const Colour colour = band == MarginBand::Fine    ? colours.dim
+                          : band == MarginBand::Close ? colours.warning
+                                                      : colours.past;
     const ImVec4 ink = ImGui::ColorConvertU32ToFloat4(colour);
     ImGui::TextColored(ink, "%.2f of the limit of %.3g ms", margin.share(), 1e3 * margin.limit);
   }

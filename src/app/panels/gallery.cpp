@@ -10,6 +10,7 @@
 
 #include "app/panels/scene_pictures.h"
 #include "app/viewer.h"
+#include "app/wrapped.h"
 
 namespace tyg {
 namespace {
@@ -23,6 +24,25 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 
 /// Scenes that are there to fail stand apart.
 bool isFailure(const ScenePictures::Entry& entry) { return entry.scene.name.starts_with("fail-"); }
+
+/// A text below a picture, in as many lines as it takes.
+class Caption {
+ public:
+  Caption(const std::string& text, float size, float width) : size_(size) {
+    const auto widthOf = [size](std::string_view part) {
+      return ImGui::GetFont()->CalcTextSizeA(size, 1e6F, 0, part.data(), part.data() + part.size()).x;
+    };
+    lines_ = wrapped(text, width, widthOf);
+  }
+  [[nodiscard]] float height() const { return ImGui::GetFont()->CalcTextSizeA(size_, 1e6F, 0, lines_.c_str()).y; }
+  void draw(ImDrawList& list, ImVec2 at, Colour colour) const {
+    list.AddText(ImGui::GetFont(), size_, at, colour, lines_.c_str());
+  }
+
+ private:
+  float size_;
+  std::string lines_;
+};
 
 class GalleryPanel final : public Panel {
  public:
@@ -57,9 +77,8 @@ class GalleryPanel final : public Panel {
     const ImVec2 picture{width, width * kHeight / kWidth};
     const float line = ImGui::GetTextLineHeight();
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const char* shows = entry.scene.shows.c_str();
-    const float caption = ImGui::GetFont()->CalcTextSizeA(kSmall * scope.size, 1e6F, width, shows).y;
-    const ImVec2 size{width, picture.y + 1.6F * line + caption};
+    const Caption title(entry.scene.title, scope.size, width), shows(entry.scene.shows, kSmall * scope.size, width);
+    const ImVec2 size{width, picture.y + title.height() + shows.height() + 0.6F * line};
     // The whole tile is the button; what it shows is drawn over it.
     const bool chosen = ImGui::InvisibleButton(entry.scene.name.c_str(), size);
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -78,11 +97,9 @@ class GalleryPanel final : public Panel {
     if (ImGui::IsItemHovered() || current) {
       list.AddRect(at, corner, faded(scope.colours.accent, current ? 1 : 0.6F), 0.3F * scope.size, 0, 2);
     }
-    const ImVec4 clip{at.x, at.y, at.x + width, at.y + size.y};
-    list.AddText(ImGui::GetFont(), scope.size, {at.x, corner.y + 0.2F * line},
-                 current ? scope.colours.accent : scope.colours.text, entry.scene.title.c_str(), nullptr, 0, &clip);
-    list.AddText(ImGui::GetFont(), kSmall * scope.size, {at.x, corner.y + 1.25F * line}, scope.colours.dim, shows,
-                 nullptr, width, &clip);
+    const float below = corner.y + 0.2F * line;
+    title.draw(list, {at.x, below}, current ? scope.colours.accent : scope.colours.text);
+    shows.draw(list, {at.x, below + title.height() + 0.05F * line}, scope.colours.dim);
     if (chosen) scope.viewer.use(entry.scene);
   }
 

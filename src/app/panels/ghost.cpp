@@ -113,7 +113,7 @@ class GhostPanel final : public Panel {
       ImGui::TextUnformatted("distance: they have not met yet");
       return;
     }
-    paragraph(formatted("distance: %.3g mm RMS, %.3g mm at most", 1e3 * gap->rms, 1e3 * gap->largest),
+    paragraph(formatted("distance: %.2g mm RMS, %.2g mm at most", 1e3 * gap->rms, 1e3 * gap->largest),
               scope.colours.text);
     if (coloured_ && top_ > 0) colourBar(scope, Ramp::Growing, 0, 1e3 * top_, "mm");
     if (!ghost_->isReference() || ghost_->time() == 0) return;

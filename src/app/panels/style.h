@@ -17,6 +17,7 @@ struct Colours {
   Colour text, dim;  ///< what matters; what explains it
   Colour accent;     ///< what is chosen or can be used
   Colour good, warning;
+  Colour past;   ///< beyond a limit: vermilion, which the colour-blind tell from `good`
   Colour shade;  ///< behind text that lies over the cloth
   Colour panel;  ///< behind a panel, nearly opaque
   Colour field;  ///< behind an input or a plot
