@@ -90,24 +90,33 @@ std::string stagesNote(const StabilityStudy& study, const StabilityCase& entry) 
       std::sqrt(w2), seconds, 1e3 * std::cbrt(8 * std::log(1000.0) / (w2 * w2 * seconds)));
 }
 
+/// What has to be said about a method's limit besides its numbers; empty where nothing has.
+std::string noteOn(const StabilityStudy& study, const StabilityCase& entry) {
+  const std::string_view method = entry.method->name;
+  const bool limited = entry.limit.predicted > 0;
+  if (method == "explicit-euler" && entry.limit.predicted == 0 && !entry.damped) return explicitNote(study, entry);
+  if (method == "explicit-euler" && limited && !entry.limit.byDamping) {
+    return "explicit-euler with damping: past its limit the least damped mode grows, but slowly; what holds above the "
+           "prediction is what the run was too short to show.";
+  }
+  if (method == "dopri54" && limited && !entry.damped) {
+    return "dopri54 without damping: just past its limit the fastest mode grows by less than a ten-thousandth a step; "
+           "what holds above the prediction is what the run was too short to show.";
+  }
+  if (method == "rkc2" && entry.limit.predicted == 0) return stagesNote(study, entry);
+  if (method == "rkc2" && limited) {
+    return formatted(
+        "rkc2 takes as many stages as its step needs to hold every wave, %d at most; past its limit none do.",
+        kMostChebyshevStages);
+  }
+  return "";
+}
+
 std::vector<std::string> notesOn(const StabilityStudy& study) {
   std::vector<std::string> notes;
   std::string adaptive;
   for (const StabilityCase& entry : study.cases) {
-    if (entry.method->name == "explicit-euler" && !entry.damped && entry.limit.predicted == 0) {
-      notes.push_back(explicitNote(study, entry));
-    }
-    if (entry.method->name == "explicit-euler" && entry.limit.predicted > 0 && !entry.limit.byDamping) {
-      notes.emplace_back(
-          "explicit-euler with damping: past its limit the least damped mode grows, but slowly; what holds above the "
-          "prediction is what the run was too short to show.");
-    }
-    if (entry.method->name == "rkc2" && entry.limit.predicted > 0) {
-      notes.push_back("rkc2 takes as many stages as the step needs to hold every wave, " +
-                      std::to_string(kMostChebyshevStages) +
-                      " at most; past its limit none hold, and it takes two, which fail at once.");
-    }
-    if (entry.method->name == "rkc2" && entry.limit.predicted == 0) notes.push_back(stagesNote(study, entry));
+    if (const std::string own = noteOn(study, entry); !own.empty()) notes.push_back(own);
     if (entry.method->adaptive && adaptive.find(name(entry)) == std::string::npos) {
       adaptive += (adaptive.empty() ? "" : ", ") + name(entry);
     }
