@@ -22,10 +22,9 @@ struct ChebyshevStages {
 /// P_s(z) = a_s + b_s T_s(w0 + w1 z) (Sommeijer, Shampine, Verwer 1998, eq. 2.2-2.4).
 std::complex<double> chebyshevGrowth(const ChebyshevStages& stages, std::complex<double> z);
 
-/// What stages are chosen for: the waves of the sheet at rest on a grid of phases, and under the relative law, whose
-/// damping no deformation changes, each phase also with the largest stiffness that any deformation gives it. At the
-/// edges of a sheet there are waves of more stiffness for their damping than those of the unbounded lattice; they stay
-/// below that.
+/// What stages are chosen for: the waves of the sheet at rest on a grid of phases; under the relative law, whose
+/// damping no deformation changes, each phase also with the largest stiffness that any deformation gives it; and for
+/// each stiffness the least damping that a motion of it has, since there is less at the edges of a sheet than inside.
 std::vector<Mode> chebyshevModes(const Scene& scene);
 
 /// The fewest stages, and of those the least damped, with |P_s(h mu)| <= 1 for both roots mu of every mode.

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "core/level_line.h"
-#include "study/rest_spectrum.h"
+#include "core/rest_spectrum.h"
 #include "study/wave_search.h"
 
 namespace tyg {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "integrators/chebyshev.h"
-#include "study/rest_spectrum.h"
+#include "core/rest_spectrum.h"
 #include "study/stability_chart.h"
 
 namespace tyg {

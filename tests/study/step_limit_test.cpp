@@ -1,7 +1,7 @@
 // The step limits of finite sheets, the bound for any deformation, and what is said about them.
 #include <gtest/gtest.h>
 
-#include "study/rest_spectrum.h"
+#include "core/rest_spectrum.h"
 #include "study/stability.h"
 #include "test_systems.h"
 #include "tyg/methods.h"

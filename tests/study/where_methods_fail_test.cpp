@@ -9,7 +9,7 @@
 
 #include "integrators/chebyshev.h"
 #include "random_cloth.h"
-#include "study/rest_spectrum.h"
+#include "core/rest_spectrum.h"
 #include "study/stability.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"

@@ -26,6 +26,9 @@ class RestSpectrum {
   [[nodiscard]] Mode farthest(const LineNormal& normal) const;
   /// The largest damping out of the plane, where springs at rest do not pull.
   [[nodiscard]] Mode mostDampedOutOfPlane() const;
+  /// The largest u.Ku / u.Cu of any in-plane motion, 1/s: no mode has more stiffness for its damping. Infinite where a
+  /// motion has stiffness alone. For a sheet of at most kMostDense particles.
+  [[nodiscard]] double mostStiffnessPerDamping() const;
   /// All roots mu of the motions like exp(mu t), 1/s, of a sheet of at most kMostDense particles.
   [[nodiscard]] std::vector<std::complex<double>> roots() const;
 

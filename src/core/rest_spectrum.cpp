@@ -1,9 +1,10 @@
 // See rest_spectrum.h.
-#include "study/rest_spectrum.h"
+#include "core/rest_spectrum.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tyg/sheet.h"
 
@@ -115,6 +116,19 @@ Mode RestSpectrum::mostDampedOutOfPlane() const {
   if (outOfPlane_.rows() == 0 || outOfPlane_.nonZeros() == 0) return {};
   const Vector u = topOf(outOfPlane_, outOfPlane_, {0, 1});
   return {0, std::max(0.0, u.dot(outOfPlane_ * u))};
+}
+
+double RestSpectrum::mostStiffnessPerDamping() const {
+  const Eigen::Index size = K_.rows();
+  const Eigen::MatrixXd K(K_);
+  Eigen::MatrixXd C(C_);
+  if (size == 0 || K.norm() == 0) return 0;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity(), kTiny = 1e-9;
+  if (C.norm() == 0) return kInfinity;
+  C.diagonal().array() += kTiny * C.norm();  // motions that neither strain nor damp, rigid ones above all, get 0
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> pencil(K, C, Eigen::EigenvaluesOnly);
+  const double most = pencil.eigenvalues()[size - 1];
+  return most * kTiny * C.norm() < 1e-3 * K.norm() / double(size) ? most : kInfinity;
 }
 
 /// The eigenvalues of (x, v)' = (v, -K x - C v) in the plane; 0 and -d for every d of the damping out of it.
