@@ -20,7 +20,7 @@ if [[ ${1:-} == --all ]]; then
   ctest --preset asan --parallel "$(nproc)" || failed+=(asan)
 elif [[ ${1:-} != --quick ]]; then
   .ci/build asan lowest_rooms
-  ctest --preset asan --parallel "$(nproc)" --tests-regex '^(core|integrators)\.' || failed+=(asan)
+  ctest --preset asan --parallel "$(nproc)" --tests-regex '^(core|integrators)\.' --no-tests=error || failed+=(asan)
 fi
 if ((${#failed[@]} > 0)); then
   echo "Tests failed in: ${failed[*]}" >&2

@@ -4,9 +4,9 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <ctime>
 #include <utility>
 
+#include "app/calibration_clock.h"
 #include "study/work_precision.h"
 
 namespace tyg {
@@ -27,13 +27,6 @@ int lowerPriority() {
   return getpriority(PRIO_PROCESS, thread);
 }
 
-/// s of computing by this thread: what a method costs does not depend on how often others were let before it.
-double threadSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
-
 StudyPlan planOf(const Scene& scene, const std::vector<const Method*>& methods) {
   StudyPlan plan;
   plan.methods = methods;
@@ -43,7 +36,8 @@ StudyPlan planOf(const Scene& scene, const std::vector<const Method*>& methods) 
   plan.repeatSeconds = kRepeatSeconds;
   plan.roundsBudget = kRoundsBudget;
   plan.threads = 1;
-  plan.clock = threadSeconds;
+  // What a method costs does not depend on how often others were let before this thread.
+  plan.clock = [] { return calibrationClock(1); };
   return plan;
 }
 

@@ -72,13 +72,14 @@ std::string cheapestMethods(const WorkChart& chart) {
   return text.str();
 }
 
-std::string speedChanges(const std::vector<WorkRow>& rows, const std::vector<WorkRow>& earlier) {
+std::string speedChanges(const WorkChart& chart, const std::vector<WorkRow>& earlier) {
+  const double longer = chart.duration / chart.comparedDuration.value_or(chart.duration);
   std::map<std::string, std::vector<double>> ratios;
-  for (const WorkRow& row : rows) {
+  for (const WorkRow& row : chart.rows) {
     for (const WorkRow& old : earlier) {
       if (row.integrator == old.integrator && row.precision == old.precision && row.dt == old.dt &&
           row.tolerance == old.tolerance && row.status == RowStatus::Ok && row.seconds > 0 && old.seconds > 0) {
-        ratios[row.integrator].push_back(row.seconds / old.seconds);
+        ratios[row.integrator].push_back(row.seconds / old.seconds / longer);
       }
     }
   }
@@ -86,7 +87,8 @@ std::string speedChanges(const std::vector<WorkRow>& rows, const std::vector<Wor
   for (auto& [method, values] : ratios) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::ranges::nth_element(values, middle);
-    text << method << ": " << *middle << " times the seconds of before (middle of " << values.size() << " rows)\n";
+    text << method << ": " << *middle << " times the seconds of before per simulated second (middle of "
+         << values.size() << " rows)\n";
   }
   return text.str();
 }

@@ -17,8 +17,9 @@ std::vector<std::string> chartNotes(const Reference& reference, const std::strin
 /// A few lines: for each error the three cheapest methods by seconds and by force evaluations.
 std::string cheapestMethods(const WorkChart& chart);
 
-/// Per method the middle ratio of seconds to those of the same rows in an earlier file; empty where no row is the same.
-std::string speedChanges(const std::vector<WorkRow>& rows, const std::vector<WorkRow>& earlier);
+/// Per method the middle ratio of seconds, per simulated second, to those of the same rows in an earlier file; empty
+/// where no row is the same.
+std::string speedChanges(const WorkChart& chart, const std::vector<WorkRow>& earlier);
 
 /// One line per finer sheet.
 std::string sheetLines(const std::vector<SheetDistance>& sheets, double size);

@@ -2,13 +2,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <iostream>
 #include <memory>
 #include <sstream>
 
+#include "app/calibration_clock.h"
 #include "app/chart_report.h"
 #include "app/command_line.h"
 #include "app/commands.h"
@@ -136,9 +136,7 @@ class Charting {
     plan.lowestError = range ? range->lowest * reference.size : 0;
     if (options_.quick) plan.fewestRepeats = 2, plan.repeatSeconds = 0.03, plan.roundsBudget = 5;
     plan.threads = threads_;
-    plan.clock = [] {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-    };
+    plan.clock = wallClock;
     plan.observer = part(kReferencePart, 1);
     return workPrecision(scene_, reference, plan);
   }
@@ -172,7 +170,7 @@ int sayNoReference(const Reference& reference) {
 }
 
 int sayInterrupted(const std::string& kept) {
-  std::cerr << "\ntyg chart: interrupted; " << kept << std::endl;
+  std::cerr << "tyg chart: interrupted; " << kept << std::endl;
   return kInterrupted;
 }
 
@@ -198,25 +196,33 @@ int chart(const ChartOptions& options) {
   const Earlier earlier = readEarlier(scene, options.compare);
   const std::vector<std::string> files{"rows.csv",   "chart.gp",    "chart.svg",       "chart.png",
                                        "sheets.csv", "compare.csv", "past_horizon.csv"};
-  const fs::path folder = preparedFolder(options.out, files);
+  fs::path folder = preparedFolder(options.out, files);
 
   const InterruptWatch watch;
   auto charting = std::make_unique<Charting>(options, scene);
   const Reference reference = charting->reference();
+  if (reference.stopped || !reference.usable()) charting.reset();  // wipes the progress line
   if (reference.stopped) return sayInterrupted("nothing was written");
   if (!reference.usable()) return sayNoReference(reference);
   const std::vector<SheetDistance> sheets = charting->sheets(reference, grids);
-  if (interrupted()) return sayInterrupted("nothing was written");
+  if (interrupted()) {
+    charting.reset();
+    return sayInterrupted("nothing was written");
+  }
   const Study study = charting->study(reference, range);
   for (const std::string& refusal : study.refusals) std::cerr << "\ntyg chart: left out: " << refusal << std::endl;
 
   WorkChart drawn = chartOf(reference, study, *charting);
-  charting.reset();  // wipes the progress line
+  charting.reset();
+  const bool stopped = interrupted();
   drawn.range = range;
   if (!sheets.empty())
     drawn.spatial = {sheets.back().grid.columns, sheets.back().grid.rows, sheets.back().distance.rms};
   if (!earlier.rows.empty()) drawn.comparedDuration = durationOf(earlier.rows, scene.duration);
 
+  if (stopped && drawn.rows.empty()) return sayInterrupted("nothing was written");
+  // A whole chart is worth more than the part of one.
+  if (stopped && fs::exists(folder / "rows.csv")) folder = preparedFolder(folder / "interrupted", files);
   // What an earlier chart left here does not belong to these rows.
   for (const std::string& old : files) fs::remove(folder / old);
   writeWholeFile(folder / "rows.csv", workCsv(drawn.rows));
@@ -224,7 +230,7 @@ int chart(const ChartOptions& options) {
   if (!earlier.rows.empty()) writeWholeFile(folder / "compare.csv", earlier.text);
   if (!study.pastHorizon.empty()) writeWholeFile(folder / "past_horizon.csv", pastHorizonCsv(study.pastHorizon));
   writeWholeFile(folder / "chart.gp", workChartScript(drawn));
-  if (interrupted()) {
+  if (stopped) {
     return sayInterrupted("the " + std::to_string(drawn.rows.size()) + " rows so far are in " +
                           (folder / "rows.csv").string() + "; `cd " + folder.string() +
                           " && gnuplot chart.gp` draws them");
@@ -233,7 +239,7 @@ int chart(const ChartOptions& options) {
   for (const std::string& line : pastHorizonLines(study.pastHorizon)) {
     std::cout << line << "; see " << (folder / "past_horizon.csv").string() << "\n";
   }
-  std::cout << sheetLines(sheets, reference.size) << cheapestMethods(drawn) << speedChanges(drawn.rows, earlier.rows)
+  std::cout << sheetLines(sheets, reference.size) << cheapestMethods(drawn) << speedChanges(drawn, earlier.rows)
             << std::flush;
   return drawFiles("tyg chart", folder, "chart", "rows.csv");
 }

@@ -94,12 +94,13 @@ std::string obstacle(const Reference& reference, double within) {
 
 void writeFiles(const DietFindings& findings, const std::filesystem::path& folder) {
   const DietRow& lean = findings.diet.leanest();
+  writeWholeFile(folder / "diet.csv", dietCsv(findings));
+  writeWholeFile(folder / "lean.toml", sceneToToml(lean.scene, leanComment(findings)));
+  // Last: where nothing can draw, all that was computed is there.
   const std::string differ = "furthest apart, " + lengthText(lean.lost.rms) + ", at t = " + timeText(lean.worstAt);
   const Picture picture = overlaid({findings.diet.written.scene, "as written"},
                                    {lean.scene, "the leanest within " + lengthText(findings.diet.within)}, lean.worstAt,
                                    findings.diet.written.scene.title + ": " + differ);
-  writeWholeFile(folder / "diet.csv", dietCsv(findings));
-  writeWholeFile(folder / "lean.toml", sceneToToml(lean.scene, leanComment(findings)));
   writePng(picture, folder / "overlay.png");
 }
 
@@ -119,15 +120,13 @@ int diet(const DietOptions& options) {
   if (!interrupted() && wrong.empty()) needs = dieting->needs(reference, found.judgedUpTo);
   dieting.reset();  // wipes the progress line
   if (interrupted()) return say(kInterrupted, "interrupted; nothing was written");
+  if (!wrong.empty() && options.json) std::cout << obstacleJson(scene, within, wrong) << std::endl;
   if (!wrong.empty()) return say(kSimulationFailed, wrong);
 
   const DietFindings findings{reference, found, needs, hangsByPoints(scene)};
+  std::cout << (options.json ? dietJson(findings) : dietTable(findings)) << std::endl;
   writeFiles(findings, folder);
-  if (options.json) {
-    std::cout << dietJson(findings) << std::endl;
-    return kDone;
-  }
-  std::cout << dietTable(findings) << "\n";
+  if (options.json) return kDone;
   for (const std::string& file : files) std::cout << (folder / file).string() << "\n";
   std::cout << std::flush;
   return kDone;

@@ -4,8 +4,10 @@
 #include <optional>
 
 #include "app/commands.h"
+#include "app/file_names.h"
 #include "app/option_checks.h"
 #include "app/render.h"
+#include "core/text.h"
 
 namespace tyg {
 namespace {
@@ -37,7 +39,7 @@ std::vector<double> chosenTimes(const Scene& scene, const RenderOptions& options
         "several");
   }
   const std::string out = options.out.value_or("");
-  const bool isPicture = out.empty() || out.ends_with(".png");
+  const bool isPicture = out.empty() || endingOf(out) == ".png";
   if (options.at) return {*options.at};
   if (!options.from && !options.to && isPicture) return {tellingMoment(scene)};
   const double from = options.from.value_or(0), to = options.to.value_or(scene.duration);
@@ -46,7 +48,12 @@ std::vector<double> chosenTimes(const Scene& scene, const RenderOptions& options
   if ((to - from) * fps > double(kMostFrames)) {
     throw InputError("--from, --to, --fps: found more than 100000 frames, allowed are fewer");
   }
-  return frameTimes(from, to, fps);
+  std::vector<double> times = frameTimes(from, to, fps);
+  if (times.size() == 1 && !isPicture) {
+    throw InputError("--to: found less than one frame after --from, allowed for a movie or a folder is " +
+                     formatted("%.4g s or more at %.4g pictures per second", from + 1 / fps, fps));
+  }
+  return times;
 }
 
 int renderChosen(const RenderOptions& options) {

@@ -2,7 +2,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -11,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "app/calibration_clock.h"
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/hints.h"
@@ -45,8 +45,6 @@ struct ViewOptions {
   std::optional<std::string> log, record;
 };
 
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
 std::string titleOf(const Scene& scene) { return "Tyg: " + scene.title; }
 
 std::unique_ptr<Window> openWindow(const ViewOptions& options, const Scene& scene) {
@@ -66,13 +64,13 @@ class View {
         hud_(*window_, std::stod(options.uiScale)),
         panels_(hud_.textSize(), viewer),
         hints_(options.log ? std::nullopt : hintsFile()),
-        opened_(now()) {
+        opened_(wallClock()) {
     if (options.log) log_ = std::make_unique<ViewLog>(*options.log);
   }
 
   void run() {
     while (!window_->closeRequested() && !viewer_.leaving() && !interrupted()) {
-      const double began = now();
+      const double began = wallClock();
       takeEvents();
       viewer_.resize(window_->framebuffer(), margins());
       const bool moving = !viewer_.idle() || panels_.busy();
@@ -80,9 +78,13 @@ class View {
       panels_.follow(viewer_);
       if (stale_ > 0 || moving || !viewer_.idle()) show();
       writeLog();
-      spare_ = std::max(0.0, kShortestFrame - (now() - began));
+      spare_ = std::max(0.0, kShortestFrame - (wallClock() - began));
     }
-    if (const std::string end = keeper_.endMovie(); !end.empty()) std::cerr << "tyg view: " << end << std::endl;
+    try {
+      if (const std::string end = keeper_.endMovie(); !end.empty()) std::cerr << "tyg view: " << end << std::endl;
+    } catch (const InputError& error) {
+      std::cerr << "tyg view: " << error.what() << std::endl;
+    }
   }
 
  private:
@@ -128,7 +130,7 @@ class View {
     }
     if (!keeper_.filming()) return;
     readFramebuffer(shown_.width, shown_.height, pixels_);
-    tell([this] { return keeper_.film(pixels_, now()); });
+    tell([this] { return keeper_.film(pixels_, wallClock()); });
   }
 
   /// What the window shows, text included.
@@ -148,7 +150,7 @@ class View {
                     keeper_.movieName().c_str(), keeper_.filmed());
       hud_.notice(text.data());
     } else {
-      hud_.notice(viewer_.state() == RunState::Running ? hints_.show(now()) : std::string_view());
+      hud_.notice(viewer_.state() == RunState::Running ? hints_.show(wallClock()) : std::string_view());
     }
   }
 
@@ -202,7 +204,7 @@ class View {
     try {
       ViewLogLine line = viewer_.logLine();
       line.frame = frame_;
-      line.wall = now() - opened_;
+      line.wall = wallClock() - opened_;
       log_->write(line);
     } catch (const std::exception& error) {
       log_.reset();
@@ -232,7 +234,7 @@ int view(const ViewOptions& options) {
   const Scene scene = chosenScene(options.scene);
   if (options.log) checkWritable(*options.log);
   if (options.record) checkWritable(*options.record);
-  Viewer viewer(scene, Settings{.threads = options.scene.threads.value_or(0)}, now);
+  Viewer viewer(scene, Settings{.threads = options.scene.threads.value_or(0)}, wallClock);
   bool kept = false;
   const auto keep = [&options, &kept](const PushLog& log) {
     kept = true;
@@ -246,15 +248,21 @@ int view(const ViewOptions& options) {
     std::cerr << "tyg view: " << error.what() << "; drawing off-screen instead" << std::endl;
     if (options.log || options.record)
       std::cerr << "tyg view: without a window nothing is logged or recorded" << std::endl;
-    return renderInstead(scene);
+    const auto [width, height] = parsePair(options.size);
+    RenderRequest like;
+    like.size = {width, height};
+    like.threads = options.scene.threads.value_or(0);
+    return renderInstead(scene, like);
   } catch (const InputError&) {
+    if (viewer.record().ticks > 0) keep(viewer.record());
     throw;
   } catch (const std::runtime_error& error) {  // no such window, or a driver that refuses the shaders
+    if (viewer.record().ticks > 0) keep(viewer.record());
     std::cerr << "tyg view: " << error.what() << "; tyg render draws without a window" << std::endl;
     return kSimulationFailed;
   }
   // A run that was never started does not replace the one before the restart.
-  if (!kept || viewer.simulation().ticks() > 0) keep(viewer.record());
+  if (!kept || viewer.record().ticks > 0) keep(viewer.record());
   return interrupted() ? kInterrupted : kDone;
 }
 

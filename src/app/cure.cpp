@@ -67,6 +67,10 @@ const Method* methodThatHolds(const Scene& scene, const Method& failed, double s
   return nullptr;
 }
 
+double safeStep(const Simulation& simulation, double limit) {
+  return chooses(simulation) || !std::isfinite(limit) || limit <= 0 ? 0 : roundedDown(kSafeShare * limit);
+}
+
 Cure findCure(const Simulation& simulation, double limit) {
   Cure cure;
   const double step = simulation.dt();
@@ -76,7 +80,7 @@ Cure findCure(const Simulation& simulation, double limit) {
   cure.method = methodThatHolds(simulation.scene(), simulation.method(), step, share);
   if (chooses(simulation) || limit == 0) return cure;
   // A limit that was kept and broke all the same says too much: half of the step that broke is the next best guess.
-  cure.step = roundedDown(limit <= step ? kSafeShare * limit : step / 2);
+  cure.step = limit <= step ? safeStep(simulation, limit) : roundedDown(step / 2);
   return cure;
 }
 

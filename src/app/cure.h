@@ -16,9 +16,13 @@ const Method* methodThatHolds(const Scene& scene, const Method& failed, double s
 
 /// The ways out for the present method and step.
 struct Cure {
-  double step = 0;                 ///< s, 0.9 of the limit and below the present step; 0: no step is known to hold
+  /// s, below the present one: 0.9 of the limit, or half the step where that was below its limit; 0: no step is known
+  /// to hold.
+  double step = 0;
   const Method* method = nullptr;  ///< holds at the present step; null: none does
 };
+/// 0.9 of the limit, s; 0 where there is none, or where the method chooses its own steps.
+double safeStep(const Simulation& simulation, double limit);
 /// `limit`, s: of the present method; NaN, infinite or not below the step where it does not explain a failure.
 Cure findCure(const Simulation& simulation, double limit);
 

@@ -46,8 +46,6 @@ std::string togetherSentence(const Diet& diet) {
     return "The scene as written is itself further off than that: nothing can be taken away.\n";
   }
   if (diet.together.empty()) return "Together: nothing can be taken away.\n";
-  std::vector<std::string> kept;
-  for (const DietRow& row : diet.together) kept.push_back(row.words);
   const DietRow& lean = diet.leanest();
   return "Together " + percent(lean.saved) + " of the time is saved and " + lengthText(lean.lost.rms) + " is lost.\n";
 }
@@ -159,6 +157,14 @@ std::string dietTable(const DietFindings& findings) {
   if (!diet.together.empty()) text += "together\n";
   for (const DietRow& row : diet.together) text += tableLine(row, diet, "+ " + row.words);
   return text + "\n" + judgedSentence(findings) + togetherSentence(diet) + "\n" + needsText(findings);
+}
+
+std::string obstacleJson(const Scene& scene, double within, const std::string& problem) {
+  JsonObject json;
+  json.add("scene", scene.name);
+  json.add("within_m", within);
+  json.add("problem", problem);
+  return json.text();
 }
 
 std::string dietJson(const DietFindings& findings) {

@@ -21,6 +21,8 @@ struct DietFindings {
 /// At most 80 columns wide.
 std::string dietTable(const DietFindings& findings);
 /// One JSON object; lengths in m, times in s, energies in J.
+/// The object where there can be no verdict, and why.
+std::string obstacleJson(const Scene& scene, double within, const std::string& problem);
 std::string dietJson(const DietFindings& findings);
 /// part,change,columns,rows,integrator,precision,dt,tolerance,status,rms_error_m,max_error_m,floor_m,horizon_s,
 /// max_stretch,sag_m,energy_J,work,seconds,saved,within: a row for the scene as written, each change alone, each

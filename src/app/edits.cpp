@@ -1,13 +1,14 @@
 // See edits.h.
 #include "app/edits.h"
 
-#include "app/render.h"
+#include "app/file_names.h"
 #include "core/scene_writer.h"
 #include "core/whole_file.h"
 
 namespace tyg {
 
 void Edits::follow(const Viewer& viewer) {
+  if (viewer.seeking() || viewer.timeline().past) return;  // what is shown was set then, not now
   originals_.try_emplace(viewer.scene().name, viewer.scene());
   versions_.note(setupOf(viewer));
 }
@@ -22,16 +23,6 @@ void Edits::reset(Viewer& viewer) const { apply({original(viewer), 1}, viewer); 
 void Edits::apply(const Setup& setup, Viewer& viewer) {
   viewer.use(setup.scene);
   viewer.setPushFactor(setup.pushFactor);
-}
-
-std::filesystem::path freeName(const std::filesystem::path& folder, const std::string& stem,
-                               const std::string& ending) {
-  std::filesystem::path name = folder / (stem + ending);
-  for (int number = 2; std::filesystem::exists(std::filesystem::symlink_status(name)); ++number) {
-    std::string numbered = stem;
-    name = folder / numbered.append("-").append(std::to_string(number)).append(ending);
-  }
-  return name;
 }
 
 std::filesystem::path saveScene(const Viewer& viewer) {

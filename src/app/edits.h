@@ -26,8 +26,12 @@ class Edits {
   void follow(const Viewer& viewer);
   [[nodiscard]] bool canUndo() const { return versions_.canUndo(); }
   [[nodiscard]] bool canRedo() const { return versions_.canRedo(); }
-  void undo(Viewer& viewer) { apply(versions_.undo(), viewer); }
-  void redo(Viewer& viewer) { apply(versions_.redo(), viewer); }
+  void undo(Viewer& viewer) {
+    if (!viewer.seeking()) apply(versions_.undo(), viewer);
+  }
+  void redo(Viewer& viewer) {
+    if (!viewer.seeking()) apply(versions_.redo(), viewer);
+  }
   /// The scene as it was when the window first had it.
   [[nodiscard]] const Scene& original(const Viewer& viewer) const;
   void reset(Viewer& viewer) const;
@@ -40,8 +44,6 @@ class Edits {
   std::map<std::string, Scene> originals_;  ///< by scene name
 };
 
-/// STEM.ENDING in this folder, or STEM-2.ENDING and so on: the first of these names that nothing has yet.
-std::filesystem::path freeName(const std::filesystem::path& folder, const std::string& stem, const std::string& ending);
 /// Writes the viewer's scene as .toml into the current folder, under a name of its own. Throws InputError.
 std::filesystem::path saveScene(const Viewer& viewer);
 

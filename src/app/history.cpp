@@ -34,18 +34,7 @@ void History::follow(const Simulation& simulation) {
 void History::repeatDeeds(Simulation& simulation) const {
   for (std::size_t next = simulation.log().events.size();
        next < whole_.events.size() && whole_.events[next].tick <= simulation.ticks(); ++next) {
-    const LogEvent& deed = whole_.events[next];
-    switch (deed.kind) {
-      case LogEvent::Kind::Push:
-        simulation.push(deed.particle, deed.force, deed.ticks);
-        break;
-      case LogEvent::Kind::Method:
-        simulation.useMethod(findMethod(deed.method));
-        break;
-      case LogEvent::Kind::Step:
-        simulation.useStep(deed.dt);
-        break;
-    }
+    simulation.apply(whole_.events[next], methods());
   }
 }
 

@@ -15,6 +15,7 @@
 #include <system_error>
 #include <vector>
 
+#include "app/file_names.h"
 #include "core/whole_file.h"
 #include "tyg/scene.h"
 
@@ -62,7 +63,7 @@ std::vector<std::string> commandLine(const std::filesystem::path& out, int width
   // A GIF has 256 colours; these are chosen from all frames, or thin lines turn grey.
   const std::vector<std::string> gif{"-filter_complex",
                                      "split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=bayer:bayer_scale=3"};
-  const std::vector<std::string>& format = out.extension() == ".gif" ? gif : mp4;
+  const std::vector<std::string>& format = endingOf(out) == ".gif" ? gif : mp4;
   words.insert(words.end(), format.begin(), format.end());
   words.push_back("file:" + out.string());  // a name that begins with a dash or holds a colon stays a name
   return words;
@@ -98,7 +99,12 @@ struct Movie::Body {
     posix_spawn_file_actions_adddup2(&actions, frames.read, STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&actions, complaints.write, STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, complaints.write, STDERR_FILENO);
-    const int error = posix_spawnp(&child, "ffmpeg", &actions, nullptr, arguments.data(), environ);
+    // A group of its own: Ctrl-C in a terminal is for this program, which ends the movie as it should be ended.
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    const int error = posix_spawnp(&child, "ffmpeg", &actions, &attributes, arguments.data(), environ);
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     if (error != 0) {
       child = 0;

@@ -3,7 +3,6 @@
 #include "app/render.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -11,6 +10,7 @@
 #include <optional>
 
 #include "app/command_line.h"
+#include "app/file_names.h"
 #include "app/interrupt.h"
 #include "app/movie.h"
 #include "app/progress.h"
@@ -30,8 +30,7 @@ constexpr std::size_t kFramingPoints = 2000;  // particles per moment that the v
 
 enum class Form { Picture, Movie, Folder };
 Form formOf(const fs::path& out) {
-  std::string ending = out.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  const std::string ending = endingOf(out);
   if (!ending.empty() && ending != ".png" && ending != ".mp4" && ending != ".gif" && !fs::is_directory(out)) {
     throw InputError("--out: found '" + out.string() + "', allowed are FILE.png, FILE.mp4, FILE.gif and a folder");
   }
@@ -155,7 +154,8 @@ void checkOutput(const RenderRequest& request) {
   checkWritable(frameFile(request, 0));
 }
 
-int stopped(Simulation& simulation) {
+int stopped(Simulation& simulation, Progress& progress) {
+  progress.finish();
   if (interrupted()) {
     std::cerr << "tyg render: interrupted" << std::endl;
     return kInterrupted;
@@ -171,7 +171,7 @@ int renderPicture(const Scene& scene, const RenderRequest& request) {
   Progress progress("tyg render " + scene.name);
   Motion3d motion(scene, request.threads, [&](double now) { progress.show(now / std::max(time, scene.dt)); });
   Studio studio = openStudio(motion.simulation().sheet(), request);
-  if (!motion.reach(time)) return stopped(motion.simulation());
+  if (!motion.reach(time)) return stopped(motion.simulation(), progress);
   Framing framing;
   framing.include(motion.xyz());
   Camera camera = framing.camera(request.size);
@@ -187,7 +187,7 @@ int renderSequence(const Scene& scene, const RenderRequest& request) {
   Studio studio = openStudio(scout.simulation().sheet(), request);
   Framing framing;
   for (const double time : request.times) {
-    if (!scout.reach(time)) return stopped(scout.simulation());
+    if (!scout.reach(time)) return stopped(scout.simulation(), progress);
     framing.include(scout.xyz());
   }
   Camera camera = framing.camera(request.size);
@@ -197,7 +197,7 @@ int renderSequence(const Scene& scene, const RenderRequest& request) {
   if (isMovie) movie.emplace(request.out, request.size.x, request.size.y, request.fps);
   Motion3d motion(scene, request.threads, [](double) {});
   for (std::size_t frame = 0; frame < request.times.size(); ++frame) {
-    if (!motion.reach(request.times[frame])) return stopped(motion.simulation());
+    if (!motion.reach(request.times[frame])) return stopped(motion.simulation(), progress);
     const Picture& picture = studio.draw(motion, camera);
     isMovie ? movie->add(picture) : writePng(picture, frameFile(request, frame));
     progress.show(kFirstShare + (1 - kFirstShare) * double(frame + 1) / double(request.times.size()));
@@ -220,8 +220,6 @@ std::vector<double> frameTimes(double from, double to, double fps) {
   return times;
 }
 
-std::string fileStem(const Scene& scene) { return fs::path(scene.name).stem().string(); }
-
 int render(const Scene& scene, const RenderRequest& request) {
   RenderRequest asked = request;
   if (formOf(asked.out) == Form::Movie) asked.size += glm::ivec2(asked.size.x % 2, asked.size.y % 2);
@@ -236,15 +234,16 @@ int render(const Scene& scene, const RenderRequest& request) {
   return code;
 }
 
-int renderInstead(const Scene& scene) {
-  RenderRequest picture;
+int renderInstead(const Scene& scene, const RenderRequest& like) {
+  RenderRequest picture = like;
   picture.times = {tellingMoment(scene)};
-  picture.out = fileStem(scene) + ".png";
+  picture.out = freeName("", fileStem(scene), ".png");
   const int code = render(scene, picture);
-  if (code != kDone || !haveFfmpeg()) return code;
-  RenderRequest movie;
-  movie.times = frameTimes(0, scene.duration, movie.fps);
-  movie.out = fileStem(scene) + ".mp4";
+  constexpr double kLongest = 60;  // s of movie
+  RenderRequest movie = like;
+  movie.times = frameTimes(0, std::min(scene.duration, kLongest), movie.fps);
+  if (code != kDone || movie.times.size() < 2 || !haveFfmpeg()) return code;
+  movie.out = freeName("", fileStem(scene), ".mp4");
   return render(scene, movie);
 }
 

@@ -24,14 +24,13 @@ struct RenderRequest {
 double tellingMoment(const Scene& scene);
 /// Frames of `fps` per second from `from` to `to`, both included (s).
 std::vector<double> frameTimes(double from, double to, double fps);
-/// A name for results in the current folder: the scene's, without folder and .toml.
-std::string fileStem(const Scene& scene);
 
 /// Checks the output, simulates, draws, writes, and names the files on standard output. One view that holds the whole
 /// motion. Returns the program's exit code; throws InputError where the output cannot be written or nothing can draw.
 int render(const Scene& scene, const RenderRequest& request);
 
-/// What `tyg view` does without a display: a picture, and a movie where ffmpeg is there, in the current folder.
-int renderInstead(const Scene& scene);
+/// What `tyg view` does without a display: a picture, and a movie where ffmpeg is there and the run is long enough for
+/// one, in the current folder under names that no file has yet. `like`: size and threads.
+int renderInstead(const Scene& scene, const RenderRequest& like);
 
 }  // namespace tyg

@@ -19,7 +19,6 @@ class RunningSeries {
   void clear() { count_ = 0; }
 
   [[nodiscard]] std::size_t size() const { return count_; }
-  [[nodiscard]] std::size_t channels() const { return channels_; }
   [[nodiscard]] double window() const { return window_; }
   /// The k-th of the samples, the oldest first.
   [[nodiscard]] double time(std::size_t k) const { return times_[place(k)]; }

@@ -124,7 +124,7 @@ void Viewer::press(const Input& input, const WindowEvent& event) {
 
 void Viewer::release(KeyCode key) {
   const Input* input = findInput(key);
-  if (input == nullptr) return;
+  if (input == nullptr) return repeated_.reset();  // one library tells of `{` where `[` is let go of under Shift
   held_.at(static_cast<std::size_t>(input->action)) = false;
   if (repeated_ && repeated_->key == key) repeated_.reset();
 }
@@ -136,6 +136,14 @@ void Viewer::repeatHeldKey() {
 }
 
 void Viewer::perform(InputAction action) {
+  try {
+    act(action);
+  } catch (const std::exception& error) {
+    note_ = error.what();
+  }
+}
+
+void Viewer::act(InputAction action) {
   switch (action) {
     case StartOrPause:
       return startOrPause();
@@ -212,7 +220,7 @@ void Viewer::setPushFactor(double factor) {
 }
 
 void Viewer::beginPush(glm::vec2 cursor) {
-  if (state_ == RunState::Frozen || pixels_.width <= 0 || pixels_.height <= 0) return;
+  if (state_ == RunState::Frozen || seeking_ || pixels_.width <= 0 || pixels_.height <= 0) return;
   const glm::vec2 window(pixels_.width, pixels_.height);
   const Sheet& sheet = simulation_.sheet();
   const std::optional<int> hit = pickParticle(camera_, cursor, window, sheet, positions_);

@@ -87,6 +87,7 @@ class Viewer {
   void onRunEnd(std::function<void(const PushLog&)> keep) { onRunEnd_ = std::move(keep); }
 
   [[nodiscard]] RunState state() const { return state_; }
+  [[nodiscard]] bool seeking() const { return seeking_; }  ///< on the way to a past moment
   [[nodiscard]] bool leaving() const { return leaving_; }
   [[nodiscard]] bool idle() const;  ///< nothing moves until the next input
   [[nodiscard]] const Simulation& simulation() const { return simulation_; }
@@ -132,6 +133,7 @@ class Viewer {
  private:
   void press(const Input& input, const WindowEvent& event);
   void release(KeyCode key);
+  void act(InputAction action);
   void toggle(InputAction action);
   void useLive(const Scene& scene);
   void begin(const Scene& scene, bool newSheet);

@@ -131,13 +131,13 @@ void Viewer::change(const std::function<void()>& deed) {
 }
 
 void Viewer::takeSafeStep() {
-  const Cure cure = cure_ ? *cure_ : findCure(simulation_, margin().limit);
-  if (cure.step > 0) change([this, cure] { useStep(cure.step); });
+  const double step = cure_ ? cure_->step : safeStep(simulation_, margin().limit);
+  if (step > 0) change([this, step] { useStep(step); });
 }
 
 void Viewer::takeHoldingMethod() {
-  const Cure cure = cure_ ? *cure_ : findCure(simulation_, margin().limit);
-  if (cure.method != nullptr) change([this, cure] { useMethod(*cure.method); });
+  if (!cure_ || cure_->method == nullptr) return;
+  change([this, method = cure_->method] { useMethod(*method); });
 }
 
 void Viewer::useStep(double dt) {
@@ -149,6 +149,7 @@ void Viewer::useStep(double dt) {
 }
 
 void Viewer::useMethod(const Method& method) {
+  if (seeking_) return;
   if (state_ != RunState::Frozen && &method != method_) {
     beforeDeed();
     simulation_.useMethod(method);

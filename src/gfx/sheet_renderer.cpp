@@ -99,8 +99,6 @@ glm::vec2 depthsOf(const Camera& camera) {
 
 }  // namespace
 
-glm::vec3 backgroundColour(Background background) { return paletteOf(background).background; }
-
 struct SheetRenderer::Body {
   Sheet sheet;
   GlProgram lineProgram{"lines"}, discProgram{"discs"}, surroundingsProgram{"surroundings"};

@@ -43,9 +43,6 @@ struct ShownPush {
   Vec3 force;
 };
 
-/// Background colour, red green blue 0..1, for panels and letterboxes that must match.
-glm::vec3 backgroundColour(Background background);
-
 /// All of its OpenGL objects belong to the context that is current when it is made; draw and destroy it in that
 /// context. Expects the OpenGL functions to be loaded (gladLoadGL). Leaves blending and depth testing on, the others as
 /// it sets them; it relies on no state but the bound framebuffer.

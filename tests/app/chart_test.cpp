@@ -131,6 +131,7 @@ dt = 0.01
 
 TEST(Chart, AnInterruptKeepsTheRowsSoFar) {
   const Folder folder;
+  folder.write("rows.csv", "an earlier chart");
   Outcome outcome;
   for (const char* seconds : {"1.5", "6", "24"}) {  // of about 60: when a busy machine has some rows, not all
     outcome = tyg("chart curtain --sheet 3x3 --duration 0.05 --out " + (folder / "").string(),
@@ -139,9 +140,10 @@ TEST(Chart, AnInterruptKeepsTheRowsSoFar) {
     if (holds(outcome.err, "rows so far")) break;
   }
   EXPECT_TRUE(holds(outcome.err, "rows so far")) << outcome.err;
-  EXPECT_GT(linesOf(folder / "rows.csv"), 1U);
-  EXPECT_TRUE(std::filesystem::exists(folder / "chart.gp"));
-  EXPECT_FALSE(std::filesystem::exists(folder / "chart.png"));
+  EXPECT_GT(linesOf(folder / "interrupted/rows.csv"), 1U);
+  EXPECT_TRUE(std::filesystem::exists(folder / "interrupted/chart.gp"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "interrupted/chart.png"));
+  EXPECT_EQ(contentsOf(folder / "rows.csv"), "an earlier chart");
 }
 
 TEST(Chart, WrongOptionsAreRefused) {

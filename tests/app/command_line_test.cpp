@@ -16,7 +16,7 @@ TEST(CommandLine, HelpNamesEveryCommandAndTheExitCodes) {
 }
 
 TEST(CommandLine, HelpOfEveryCommandHasExamples) {
-  for (const char* command : {"view", "run", "render", "plot", "list"}) {
+  for (const char* command : {"view", "run", "render", "plot", "list", "chart", "stability", "diet", "advise"}) {
     const Outcome help = tyg(std::string(command) + " --help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_TRUE(holds(help.out, std::string("\n  tyg ") + command)) << command;

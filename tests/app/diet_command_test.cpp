@@ -33,7 +33,7 @@ TEST(DietCommand, ItsTableFitsEightyColumns) {
     if (holds(line, (folder / "").string())) continue;  // names of files
     EXPECT_LE(line.size(), 80U) << line;
   }
-  for (const char* word : {"no bend", "no shear", "float", "leapfrog", "together", "What it leaves out"}) {
+  for (const char* word : {"no bend", "no shear", "float", "together", "What it leaves out"}) {
     EXPECT_TRUE(holds(outcome.out, word)) << word << " in\n" << outcome.out;
   }
 }
@@ -71,7 +71,16 @@ TEST(DietCommand, AnInterruptLeavesNothing) {
   const Outcome outcome = tyg("diet curtain --sheet 60x60 --out " + (folder / "").string(),
                               "timeout --foreground --preserve-status --signal INT 1");
   EXPECT_EQ(outcome.code, 130) << outcome.err;
+  EXPECT_TRUE(holds(outcome.err, "nothing was written")) << outcome.err;
   EXPECT_EQ(folder.fileCount(), 0U);
+}
+
+TEST(DietCommand, SaysAsJsonTooWhyThereIsNoVerdict) {
+  const Folder folder;
+  const Outcome outcome = tyg("diet four-particles --within 0.0000000001um --json --out " + (folder / "").string());
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(jsonValue(outcome.out, "scene"), "\"four-particles\"");
+  EXPECT_TRUE(holds(outcome.out, "rounding")) << outcome.out;
 }
 
 TEST(Amounts, UnitsAreUnderstood) {

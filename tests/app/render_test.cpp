@@ -57,6 +57,33 @@ TEST(Render, RefusesOutputsThatDoNotFitBeforeItComputes) {
   EXPECT_EQ(folder.fileCount(), 0U);
 }
 
+TEST(Render, MakesAMovie) {
+  const Folder folder;
+  const Outcome outcome = tyg("render curtain --from 0 --to 0.1 --size 64x48 --out " + (folder / "a.mp4").string());
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(contentsOf(folder / "a.mp4").substr(4, 4), "ftyp");
+}
+
+TEST(Render, EndingsMayBeLargeLettersAndTooFewFramesAreToldSo) {
+  const Folder folder;
+  EXPECT_EQ(tyg("render curtain --size 64x48 --out " + (folder / "a.PNG").string()).code, 0);
+  const Outcome short_ = tyg("render curtain --from 0 --to 0.01 --out " + (folder / "a.mp4").string());
+  EXPECT_EQ(short_.code, 2);
+  EXPECT_TRUE(holds(short_.err, "less than one frame")) << short_.err;
+}
+
+TEST(View, WithoutADisplayDrawsFilesAndReplacesNone) {
+  const Folder folder;
+  const std::string bare = "cd " + (folder / "").string() + " && env -u DISPLAY -u WAYLAND_DISPLAY";
+  for (int k = 0; k < 2; ++k) {
+    const Outcome outcome = tyg("view curtain --duration 0.02 --size 64x48", bare);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+  }
+  EXPECT_EQ(readPng(folder / "curtain.png").width, 64);
+  EXPECT_EQ(readPng(folder / "curtain-2.png").width, 64);
+  EXPECT_EQ(folder.fileCount(), 2U);
+}
+
 TEST(Render, WithoutFfmpegAMovieIsRefusedAndAFolderOffered) {
   const Folder folder;
   const Outcome outcome = tyg("render curtain --out " + (folder / "a.mp4").string(), "PATH=/nowhere");

@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "app/file_names.h"
 #include "tyg/methods.h"
 
 namespace tyg {
@@ -81,6 +82,23 @@ TEST_F(EditsTest, ResetGoesBackToTheScenesOwnValuesAndCanItselfBeUndone) {
   EXPECT_EQ(viewer_.scene(), first);
   edits_.undo(viewer_);
   EXPECT_EQ(viewer_.scene(), heavy);
+}
+
+TEST(Edits, WhatThePastWasSetToIsNoChange) {
+  double now = 0;
+  Viewer viewer(loadScene("curtain", methodNames()), Settings{.threads = 1}, [&now] { return now; });
+  Edits edits(viewer);
+  const auto frames = [&](int count) {
+    for (int frame = 0; frame < count; ++frame) now += 1.0 / 60, viewer.frame(), edits.follow(viewer);
+  };
+  viewer.perform(InputAction::StartOrPause), frames(30);
+  viewer.perform(InputAction::SmallerStep), frames(30);
+  viewer.turnToTime(0.1), frames(3);
+  ASSERT_TRUE(viewer.timeline().past);
+  ASSERT_EQ(viewer.scene().dt, loadScene("curtain").dt);
+  edits.undo(viewer), frames(1);
+  EXPECT_FALSE(edits.canUndo());
+  EXPECT_TRUE(edits.canRedo());
 }
 
 TEST(FreeName, TakesNoOtherFilesPlace) {

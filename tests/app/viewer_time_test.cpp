@@ -347,5 +347,30 @@ TEST_F(PushedLaterViewerTest, AClothWithAPushStillToComeStaysAwake) {
   EXPECT_GT(viewer_.time(), 3.5);
 }
 
+TEST_F(ViewerTest, ASafeStepIsNineTenthsOfTheLimitWhereNothingFailed) {
+  frames(1);
+  for (int k = 0; k < 2; ++k) {
+    tap('V'), frames(1);
+    EXPECT_NEAR(viewer_.simulation().dt(), 0.9 * viewer_.margin().limit, 0.05 * viewer_.margin().limit);
+  }
+  tap('M');
+  EXPECT_EQ(viewer_.method().name, "rk4") << "a method that holds is a way out of a failure";
+}
+
+TEST_F(WildViewerTest, AButtonOfAMethodThatRefusesTheSceneSaysSo) {
+  Scene axial = wild();
+  axial.damping = Damping::Axial;
+  viewer_.use(axial);
+  runUntilFrozen();
+  ASSERT_EQ(viewer_.state(), RunState::Frozen);
+  for (const char key : {'1', '2', '3', '4', '5', '6', '7', '8', '9'}) {
+    tap(key);
+    if (viewer_.method().name == "imex") break;
+  }
+  ASSERT_EQ(viewer_.method().name, "imex");
+  EXPECT_NO_THROW(viewer_.perform(InputAction::Restart));
+  EXPECT_NE(viewer_.note().find("axial"), std::string::npos) << viewer_.note();
+}
+
 }  // namespace
 }  // namespace tyg

@@ -162,8 +162,9 @@ class ControlPanel final : public Panel {
     }
     if (!findMethod(wanted.integrator).adaptive) return;
     name("tolerance", scope.size);
-    slider("##tolerance", wanted.tolerance, 1e3, {kFinestMm, kCoarsestMm}, "%.3g mm");
-    wanted.tolerance = std::max(wanted.tolerance, kFinestMm * 1e-3);
+    if (slider("##tolerance", wanted.tolerance, 1e3, {kFinestMm, kCoarsestMm}, "%.3g mm")) {
+      wanted.tolerance = std::max(wanted.tolerance, kFinestMm * 1e-3);
+    }
   }
 
   void resize(Viewer& viewer, Scene& wanted) {

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cstdint>
 
+#include "app/calibration_clock.h"
 #include "app/panels/scene_pictures.h"
 #include "app/viewer.h"
 #include "app/wrapped.h"
@@ -19,8 +19,6 @@ constexpr int kWidth = 480, kHeight = 300;  // pixels of a picture
 constexpr float kTile = 10;                 // narrowest tile, in sizes of the text
 constexpr double kWorkSeconds = 0.004;      // a frame, for pictures
 constexpr float kSmall = 0.85F;             // of the text, for what a scene shows
-
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// Scenes that are there to fail stand apart.
 bool isFailure(const ScenePictures::Entry& entry) { return entry.scene.name.starts_with("fail-"); }
@@ -46,7 +44,7 @@ class Caption {
 
 class GalleryPanel final : public Panel {
  public:
-  void follow(Viewer& viewer) override { pictures_.work(kWorkSeconds, now, viewer.drawOptions().background); }
+  void follow(Viewer& viewer) override { pictures_.work(kWorkSeconds, wallClock, viewer.drawOptions().background); }
   [[nodiscard]] bool busy() const override { return !pictures_.finished(); }
 
   void draw(const PanelScope& scope) override {

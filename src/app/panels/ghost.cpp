@@ -1,10 +1,10 @@
 // See ghost.h.
 #include "app/ghost.h"
+#include "app/calibration_clock.h"
 
 #include <imgui.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -28,8 +28,6 @@ constexpr double kTellable = 2;   // floors: from there on a distance is more th
 constexpr double kNoticed = 0.1;  // s behind, that the person is told of
 constexpr float kBeside = 1.15F;  // sheet sizes from the live cloth to a ghost beside it
 
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
 double secondsFor(const Viewer& viewer) {
   const double rate = viewer.pace().framesPerSecond;
   return rate > 0 ? std::max(kSecondsPerFrame, kShareOfFrame / rate) : kSecondsPerFrame;
@@ -42,7 +40,7 @@ class GhostPanel final : public Panel {
     if (live.status() != Status::Ok) return;
     try {
       if (!ghost_) ghost_.emplace(live, second_);
-      ghost_->follow(live, secondsFor(viewer), now);
+      ghost_->follow(live, secondsFor(viewer), wallClock);
       if (beside_) shift(viewer);
     } catch (const std::exception& refusal) {  // a method that does not take this scene
       viewer.note(refusal.what());
