@@ -130,9 +130,10 @@ int runCommandLine(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::cerr << "tyg: there is not enough memory for this scene; a smaller sheet may fit (--sheet CxR)" << std::endl;
   } catch (const std::system_error& error) {
-    std::cerr << "tyg: the system refused: " << error.code().message() << std::endl;
-  } catch (const std::exception&) {
-    std::cerr << "tyg: stopped by a fault of its own; please report what you typed" << std::endl;
+    std::cerr << "tyg: the system refused: " << error.what() << std::endl;
+  } catch (const std::exception& error) {
+    std::cerr << "tyg: stopped by a fault of its own (" << error.what() << "); please report what you typed"
+              << std::endl;
   }
   return kSimulationFailed;
 }

@@ -11,6 +11,7 @@
 #include "app/interrupt.h"
 #include "app/option_checks.h"
 #include "app/progress.h"
+#include "core/text.h"
 #include "core/whole_file.h"
 #include "study/trajectory_plot.h"
 #include "tyg/methods.h"
@@ -60,7 +61,9 @@ TrajectoryStudy followed(const Scene& scene, const PlotOptions& options) {
 void sayWhatFailed(const TrajectoryStudy& study) {
   for (const Trajectory& run : study.runs) {
     if (run.status == Status::Ok) continue;
-    std::cerr << "tyg plot: " << run.method->name << " with a step of " << study.scene.dt << " s was "
+    std::cerr << "tyg plot: " << run.method->name
+              << (run.method->adaptive ? formatted(" with a tolerance of %.4g m was ", study.scene.tolerance)
+                                       : formatted(" with a step of %.4g s was ", study.scene.dt))
               << nameOf(run.status) << " at t = " << run.failedAt << " s; its curve ends there" << std::endl;
   }
 }

@@ -39,6 +39,7 @@ constexpr std::array kInputs{
     Input{'T', OpenStretch, "T", "stretch of the springs"},
     Input{'=', OpenEnergy, "=", "energy and power"},
     Input{'/', OpenTraces, "/", "traces of particles"},
+    Input{kTabKey, OpenTraces, "Tab", "traces of particles"},  // where / is another key under Shift
     Input{'Y', KeepPicture, "Y", "picture, movie to files"},
     Input{'Z', Film, "Z", "picture, movie to files"},
     Input{'H', ShowHelp, "H", "these keys"},

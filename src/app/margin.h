@@ -30,7 +30,7 @@ struct Margin {
 };
 
 using MarginText = std::array<char, 128>;
-/// One line such as `0.95 of the limit of 4.26 ms: close to breaking`, and nothing allocated.
+/// One line such as `0.95 of the limit of 4.26 ms: close, a little more breaks it`, and nothing allocated.
 void describe(const Margin& margin, MarginText& text);
 
 class MarginWatch {

@@ -8,7 +8,7 @@
 
 namespace tyg {
 
-/// None: nothing that moves differs. Live: a running simulation can go on with it. Restart: the same particles begin
+/// None: nothing differs. Live: a running simulation can go on with it. Restart: the same particles begin
 /// anew. NewSheet: other particles, which also have to be drawn anew.
 enum class SceneChange : std::uint8_t { None, Live, Restart, NewSheet };
 SceneChange changeBetween(const Scene& from, const Scene& to);

@@ -11,7 +11,7 @@ namespace tyg {
 
 /// A key or a mouse button: printable keys by the upper-case letter, digit or sign that is printed on them.
 using KeyCode = char;
-inline constexpr KeyCode kEscapeKey = 27, kEnterKey = 13;
+inline constexpr KeyCode kEscapeKey = 27, kEnterKey = 13, kTabKey = 9;
 inline constexpr KeyCode kLeftButton = 1, kRightButton = 2, kMiddleButton = 3;
 inline constexpr KeyCode kWheel = 4;  ///< never pressed: names the wheel in the table of inputs
 inline constexpr bool isMouse(KeyCode key) { return key >= kLeftButton && key <= kWheel; }

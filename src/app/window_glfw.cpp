@@ -32,9 +32,10 @@ class Library {
   Library& operator=(const Library&) = delete;
 };
 
-/// Letters follow the person's keyboard layout; digits, space and Escape are where they are on any.
+/// Letters follow the person's keyboard layout; digits, space, Tab and Escape are where they are on any.
 KeyCode keyCode(int key, int scancode) {
   if (key == GLFW_KEY_ESCAPE) return kEscapeKey;
+  if (key == GLFW_KEY_TAB) return kTabKey;
   if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) return kEnterKey;
   if (key == GLFW_KEY_SPACE || (key >= GLFW_KEY_0 && key <= GLFW_KEY_9)) return static_cast<KeyCode>(key);
   const char* name = key == GLFW_KEY_UNKNOWN ? nullptr : glfwGetKeyName(key, scancode);

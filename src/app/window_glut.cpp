@@ -193,7 +193,7 @@ class GlutWindow final : public Window {
     const bool lower = character >= 'a' && character <= 'z';
     const auto code = static_cast<KeyCode>(lower ? character - 'a' + 'A' : character);
     // Control characters below space would read as mouse buttons.
-    if (character < ' ' && code != kEscapeKey && code != kEnterKey) return;
+    if (character < ' ' && code != kEscapeKey && code != kEnterKey && code != kTabKey) return;
     keysDown_ += kind == WindowEvent::Kind::Press ? 1 : -1;
     if (keysDown_ <= 0) keysDown_ = 0;
     if (keysDown_ == 1 && kind == WindowEvent::Kind::Press) focus_ = focusNow();
