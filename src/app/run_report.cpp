@@ -165,7 +165,18 @@ std::string failureAdvice(const FinishedRun& run) {
       formatted("%s with steps of %.6g s %s at t = %.6g s. ", name(method).c_str(), step,
                 finite ? "became unstable (the cloth gained energy by itself)" : "left the range of the numbers",
                 simulation.alarmTime());
-  if (method.adaptive) return what + formatted("Try --tolerance %.2g", simulation.scene().tolerance / 10) + ".";
+  const double tolerance = simulation.scene().tolerance;
+  if (method.adaptive && tolerance > 0) {
+    // A tolerance lets waves tremble by as much: a thousandth of the spacing is a tremble that no alarm sees.
+    const double tighter = std::min(tolerance / 10, 1e-3 * simulation.scene().spacing);
+    const std::string fixed =
+        limit > 0
+            ? formatted("Steps of %.4g s would hold at rest, and a tolerance of %.2g m is too loose to keep to them; ",
+                        limit, tolerance) +
+                  firstToFail(simulation.scene(), stepLimit(simulation.scene(), method, true)) + ". "
+            : "";
+    return what + fixed + formatted("Try --tolerance %.2g.", tighter);
+  }
   if (std::isnan(limit)) return what + formatted("No limit is predicted for it. Try --dt %.2g.", roundedDown(step / 2));
   const StepLimit said = stepLimit(simulation.scene(), method, true);
   if (limit >= step) {

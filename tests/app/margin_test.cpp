@@ -32,6 +32,7 @@ TEST(Margin, SaysHowCloseAndWarnsInWords) {
   EXPECT_EQ(words(at(0.5)), "0.50 of the limit of 4 ms");
   EXPECT_NE(words(at(0.95)).find("close"), std::string::npos);
   EXPECT_NE(words(at(1.05)).find("PAST"), std::string::npos);
+  EXPECT_NE(words({.limit = 0.004, .adaptive = true}).find("own steps: on average about 4 ms"), std::string::npos);
 }
 
 TEST(Margin, FollowsMethodAndStep) {

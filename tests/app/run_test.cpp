@@ -165,6 +165,18 @@ TEST(Run, TheAdvisedStepHolds) {
   EXPECT_EQ(tyg("run curtain --integrator leapfrog " + advice[1].str()).code, 0);
 }
 
+TEST(Run, TheAdvisedToleranceHolds) {
+  for (const char* method : {"bs32", "dopri54"}) {
+    const std::string run = std::string("run curtain --integrator ") + method;
+    const Outcome failed = tyg(run + " --tolerance 0.05");
+    EXPECT_EQ(failed.code, 1);
+    for (const char* word : {method, "at rest", "stripes in plane"}) EXPECT_TRUE(holds(failed.err, word)) << failed.err;
+    std::smatch advice;
+    ASSERT_TRUE(std::regex_search(failed.err, advice, std::regex("Try (--tolerance [0-9.e-]+[0-9])"))) << failed.err;
+    EXPECT_EQ(tyg(run + " " + advice[1].str()).code, 0) << advice[1];
+  }
+}
+
 TEST(Run, SamplesAreWrittenAtEquallySpacedTimes) {
   const Folder folder;
   const std::filesystem::path file = folder / "rows.csv";
