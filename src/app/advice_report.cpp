@@ -44,6 +44,11 @@ std::string marginText(const Advice& advice) {
          timeText(advice.limit);
 }
 
+std::string achievedText(const Advice& advice) {
+  return advice.beyondReference() ? "< " + lengthText(advice.achieved + advice.uncertainty)
+                                  : lengthText(advice.achieved);
+}
+
 std::string proofText(const Scene& scene, const Advice& advice) {
   if (!advice.proven) return "proof         none: two exact methods do not agree on this scene's motion\n";
   const bool byError = advice.request.error > 0;
@@ -51,26 +56,39 @@ std::string proofText(const Scene& scene, const Advice& advice) {
   text +=
       formatted("%-13s %12s  %12s   against the reference\n", "error",
                 (byError && advice.met ? lengthText(advice.request.error) : lengthText(advice.promise->error)).c_str(),
-                lengthText(advice.achieved).c_str());
+                achievedText(advice).c_str());
   text += formatted("%-13s %12s  %12s   by the clock, a frame of 1/60 s\n", "cost",
                     perFrame(advice.promise->seconds, scene.duration).c_str(),
                     perFrame(advice.measured, scene.duration).c_str());
   if (advice.secondTry)
     text += "The first choice missed by the proof, with " + lengthText(advice.missed) + "; this is the second.\n";
   if (advice.met) text += advice.held ? "The promise holds.\n" : "The promise does NOT hold.\n";
-  if (advice.floor > advice.achieved / 10) {
+  if (advice.beyondReference()) {
+    text += "Nobody can tell more: the two exact methods are " + lengthText(advice.uncertainty) + " apart.\n";
+  } else if (advice.floor > advice.achieved / 10) {
     text += "Beware: as this cloth amplifies them, rounding errors could become " + lengthText(advice.floor) + ".\n";
   }
   return text;
 }
 
+std::string timesAsMuch(double seconds, const Advice& advice) {
+  return formatted("%.2g times as much", seconds / advice.promise->seconds);
+}
+
 std::string tenTimesText(const Scene& scene, const Advice& advice) {
-  if (!advice.tenTimesBetter) return "not to be had with runs that one would wait for";
-  const Trial& better = *advice.tenTimesBetter;
-  if (better.scene == advice.promise->scene) return "this choice already is";
-  const double ratio = better.seconds / advice.promise->seconds;
-  return perFrame(better.seconds, scene.duration) +
-         formatted(" a frame, %.2g times as much, by\n              ", ratio) + settingText(better.scene);
+  if (const std::optional<Trial>& better = advice.tenTimesBetter) {
+    if (better->scene == advice.promise->scene) return "this choice already is";
+    return perFrame(better->seconds, scene.duration) + " a frame, " + timesAsMuch(better->seconds, advice) +
+           ", by\n              " + settingText(better->scene);
+  }
+  if (!advice.met) return "not searched for, since this much cannot be met";
+  if (advice.tenTimesUpTo == 0)
+    return "not searched for: the exact motion is known only to " + lengthText(advice.knowable);
+  const std::string upTo =
+      perFrame(advice.tenTimesUpTo, scene.duration) + " a frame, " + timesAsMuch(advice.tenTimesUpTo, advice);
+  return advice.tenTimesGaveUp
+             ? "not found before the search took too long; dearest run allowed:\n              " + upTo
+             : "not found up to " + upTo + "; not searched further";
 }
 
 }  // namespace
@@ -113,6 +131,7 @@ std::string adviceJson(const Scene& scene, const Advice& advice) {
   json.add("work", promise.work);
   json.add("promised_error_m", promise.error);
   json.add("achieved_error_m", advice.achieved);
+  json.add("reference_uncertainty_m", advice.uncertainty);
   json.add("floor_m", advice.floor);
   json.add("promised_frame_s", frameSeconds(promise.seconds, scene.duration));
   json.add("measured_frame_s", frameSeconds(advice.measured, scene.duration));

@@ -19,21 +19,31 @@ inline constexpr double kFrame = 1.0 / 60;
 inline double frameSeconds(double seconds, double duration) { return seconds / duration * kFrame; }
 
 struct Advice {
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
   Request request;
   int threads = 1;
   bool met = false;              ///< does the promise meet the request? Otherwise it is the nearest that was found
   std::optional<Trial> promise;  ///< by the quick study; none where every run failed
-  double achieved = std::numeric_limits<double>::quiet_NaN();  ///< E against the reference, m
-  double floor = std::numeric_limits<double>::quiet_NaN();     ///< least E that means something, m
-  double measured = std::numeric_limits<double>::quiet_NaN();  ///< s that the run took by the clock, least of three
-  bool held = false;                                           ///< did the proof keep the promise?
-  bool secondTry = false;  ///< the first choice did not hold: this one was found against the reference itself
-  double missed = 0;       ///< E of that first choice, m
-  double limit = 0;        ///< largest stable step at rest of the chosen method, s; NaN: none, 0: no step is stable
-  std::optional<Trial> tenTimesBetter;  ///< the cheapest within a tenth of the error; none: not to be had
-  int runs = 0;                         ///< of the quick study
+  double knowable = 0;           ///< m: errors below this the quick study could not tell, and did not look for
+  double achieved = kNone;       ///< E against the reference, m
+  double uncertainty = kNone;    ///< by so much the reference and its second opinion differ, m
+  double floor = kNone;          ///< least E that means something, m
+  double measured = kNone;       ///< s that the run took by the clock, least of up to three
+  bool held = false;             ///< did the proof keep the promise?
+  bool secondTry = false;        ///< the first choice did not hold: this one was found against the reference itself
+  double missed = 0;             ///< E of that first choice, m
+  double limit = 0;  ///< largest stable step at rest of the chosen method, s; NaN: none, 0: no step is stable
+  std::optional<Trial> tenTimesBetter;  ///< the cheapest found within a tenth of the error
+  /// s: where there is none, no run that costs more was made; 0: none was, since a tenth is less than can be known.
+  double tenTimesUpTo = 0;
+  bool tenTimesGaveUp = false;  ///< there may be one: the search took too long
+  int runs = 0;                 ///< of the quick study
   bool stopped = false;
   bool proven = false;  ///< was there a usable reference?
+
+  /// Is the choice as exact as the reference itself is known to be?
+  [[nodiscard]] bool beyondReference() const { return 3 * uncertainty > achieved; }
 };
 
 struct AdvicePlan {
@@ -42,8 +52,8 @@ struct AdvicePlan {
   std::vector<Precision> precisions{Precision::Double, Precision::Float};
   std::vector<int> threads{1};  ///< to choose from
   UnitCost cost;
-  double mostSeconds = 3, allSeconds = 15;  ///< as of SearchPlan
-  CostMeter::Clock clock;                   ///< s, for `measured` alone
+  double mostSeconds = 1.5, allSeconds = 4;  ///< as of SearchPlan
+  CostMeter::Clock clock;                    ///< s, for `measured` alone
   /// Gets the fraction done now and then; false stops.
   std::function<bool(double fraction)> observer;
 };

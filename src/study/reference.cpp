@@ -15,6 +15,7 @@ namespace tyg {
 namespace {
 
 constexpr double kReferenceTolerance = 1e-13;  // of the size; below it rounding takes over
+constexpr double kLoosestTolerance = 1e-11;    // the twin's distance must stay far above it
 constexpr double kTwinDistance = 1e-9;         // of the size
 
 /// Shares of the whole work, about as measured.
@@ -22,17 +23,21 @@ constexpr double kMainShare = 0.2, kTwinShare = 0.2, kRungShare = 0.5;
 
 class ReferenceMaker {
  public:
-  ReferenceMaker(Scene scene, int threads, const std::function<bool(double)>& observer)
+  ReferenceMaker(Scene scene, int threads, const std::function<bool(double)>& observer, const ReferenceAim& aim)
       : threads_(threads), observer_(observer) {
-    reference_.size = makeSheet(scene).size();
+    const double size = reference_.size = makeSheet(scene).size();
     scene.precision = Precision::Double;
-    scene.tolerance = kReferenceTolerance * reference_.size;
+    scene.tolerance = std::clamp(aim.tolerance, kReferenceTolerance * size, kLoosestTolerance * size);
+    if (aim.motion != nullptr && scene.tolerance == aim.tolerance) reference_.motion = *aim.motion;
+    agreement_ = std::max(aim.agreement, scene.tolerance / 2);
     reference_.scene = std::move(scene);
     times_ = sampleTimes(reference_.scene);
   }
 
   Reference make() {
-    reference_.motion = run(reference_.scene, findMethod("dopri54"), kMainShare);
+    if (reference_.motion.times.empty()) {
+      reference_.motion = run(reference_.scene, findMethod("dopri54"), kMainShare);
+    }
     reference_.bulk = bulkOf(reference_.motion);
     if (complete(reference_.motion)) measureAmplification();
     if (complete(reference_.motion)) askSecondOpinion();
@@ -65,17 +70,16 @@ class ReferenceMaker {
   }
 
   /// The classical Runge-Kutta method shares neither coefficients nor step control with the reference. Its step shrinks
-  /// until it comes within the reference's tolerance, or gains no more, or costs too much.
+  /// until it comes as close as is asked for, or gains no more, or costs too much.
   void askSecondOpinion() {
     const Method& method = findMethod("rk4");
     const double interval = times_.front(), limit = restLatticeLimit(reference_.scene, method);
     constexpr double kFirstOfLimit = 0.25, kWithoutLimit = 64, kGain = 4;
-    const double wanted = kReferenceTolerance / 2 * reference_.size;
     const double most = mostEvaluations() / (method.evaluationsPerStep * static_cast<double>(times_.size()));
     double count = limit > 0 ? std::ceil(interval / (kFirstOfLimit * limit)) : kWithoutLimit;
     double apart = disagreementAt(count);
-    while (!reference_.stopped && !(apart <= wanted) && 2 * count <= most) {
-      const double factor = std::isnan(apart) ? 4 : std::ceil(std::pow(apart / wanted, 1.0 / method.order));
+    while (!reference_.stopped && !(apart <= agreement_) && 2 * count <= most) {
+      const double factor = std::isnan(apart) ? 4 : std::ceil(std::pow(apart / agreement_, 1.0 / method.order));
       count *= std::clamp(factor, 2.0, std::min(8.0, std::floor(most / count)));
       const double before = std::exchange(apart, disagreementAt(count));
       if (apart > before / kGain) break;
@@ -107,6 +111,7 @@ class ReferenceMaker {
 
   int threads_;
   const std::function<bool(double)>& observer_;
+  double agreement_ = 0;  // m
   Reference reference_;
   std::vector<double> times_;
   double done_ = 0;
@@ -158,8 +163,9 @@ double Reference::horizonOf(double error, Precision precision) const {
   return horizon;
 }
 
-Reference makeReference(Scene scene, int threads, const std::function<bool(double)>& observer) {
-  return ReferenceMaker(std::move(scene), threads, observer).make();
+Reference makeReference(Scene scene, int threads, const std::function<bool(double)>& observer,
+                        const ReferenceAim& aim) {
+  return ReferenceMaker(std::move(scene), threads, observer, aim).make();
 }
 
 Scene twinOf(Scene scene, double distance) {

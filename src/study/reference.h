@@ -15,8 +15,9 @@ double errorFloor(double size, double amplification, double disagreement, Precis
 /// Whether an error means something above such a floor: ten of them must fit into it.
 inline bool meansSomething(double error, double floor) { return floor < error / 10; }
 
-/// A scene's motion by an adaptive method of high order with a tolerance of 1e-13 of the sheet's size, in double, and
-/// what is known about its own error. Everything by sample time, at least 20 of them.
+/// A scene's motion by an adaptive method of high order with a tolerance of 1e-13 of the sheet's size (more where less
+/// is asked for, see ReferenceAim), in double, and what is known about its own error. Everything by sample time, at
+/// least 20 of them.
 struct Reference {
   Scene scene;      ///< as it was run
   double size = 0;  ///< of the sheet, m
@@ -46,9 +47,19 @@ struct Reference {
   [[nodiscard]] double horizonOf(double error, Precision precision) const;
 };
 
+/// How exact a reference is made. One that need not be as exact as can be costs less.
+struct ReferenceAim {
+  double tolerance = 0;  ///< m, of the adaptive method; kept between 1e-13 (as is 0) and 1e-11 of the sheet's size
+  double agreement = 0;  ///< m: the second opinion gets no closer than this, nor than half the tolerance
+  /// A run of this scene by dopri54 in double at that very tolerance and at sampleTimes(), if there is one: not run
+  /// again.
+  const SampledMotion* motion = nullptr;
+};
+
 /// Computes a scene's reference over its whole duration. `observer` gets the fraction done and may return false to
 /// stop.
-Reference makeReference(Scene scene, int threads, const std::function<bool(double fraction)>& observer);
+Reference makeReference(Scene scene, int threads, const std::function<bool(double fraction)>& observer,
+                        const ReferenceAim& aim = {});
 
 /// The same scene, every free particle moved by the same small random displacements each time: `distance` m RMS over
 /// all particles.

@@ -45,9 +45,11 @@ SampledMotion sampledRun(const Scene& scene, const Method& method, const std::ve
   Simulation simulation(scene, method, {.threads = options.threads, .ledger = options.ledger});
   SampledMotion motion;
   if (!options.ledger) motion.energyDrift = std::numeric_limits<double>::quiet_NaN();
-  if (options.observer) {
-    simulation.observe([&] { return !(motion.stopped = motion.stopped || !options.observer(simulation.time())); });
-  }
+  simulation.observe([&] {
+    const bool tooMany = options.mostEvaluations > 0 && simulation.forceEvaluations() > options.mostEvaluations;
+    if (tooMany || (options.observer && !options.observer(simulation.time()))) motion.stopped = true;
+    return !motion.stopped;
+  });
   for (const double time : times) {
     simulation.advanceTo(time);
     motion.status = simulation.status();

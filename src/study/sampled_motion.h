@@ -19,7 +19,7 @@ struct SampledMotion {
   std::vector<std::vector<Vec3>> positions;  ///< m; by time, then particle
   std::vector<double> energies;              ///< kinetic, elastic and gravitational at those times, J
   Status status = Status::Ok;
-  bool stopped = false;    ///< by the observer
+  bool stopped = false;    ///< by the observer, or by SamplingOptions::mostEvaluations
   std::int64_t steps = 0;  ///< accepted ones
   std::int64_t forceEvaluations = 0;
   double largestStep = 0;  ///< s
@@ -32,6 +32,8 @@ struct SampledMotion {
 struct SamplingOptions {
   int threads = 0;      ///< as Settings::threads
   bool ledger = false;  ///< follow the energy's drift too
+  /// A run that has made so many ends within 64 steps, `stopped`; 0: any number.
+  std::int64_t mostEvaluations = 0;
   /// Gets the simulated time (s) now and then; false stops the run. May be empty.
   std::function<bool(double time)> observer;
 };

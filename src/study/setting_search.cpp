@@ -1,5 +1,5 @@
-// Best-first search: of all methods, the one whose next run is expected to cost least is run next, until nothing that
-// has not been tried is expected to be cheaper than the best that has.
+// Best-first search: of all methods, the one whose next run is expected to cost least, or to be most exact, is run
+// next, until nothing that has not been tried is expected to be better than the best that has.
 #include "study/setting_search.h"
 
 #include <algorithm>
@@ -8,248 +8,203 @@
 
 #include "study/diet_changes.h"
 #include "study/error.h"
-#include "study/stability.h"
 #include "tyg/methods.h"
-#include "tyg/sheet.h"
 
 namespace tyg {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Of the error asked for, where the next guess aims: guesses are rough.
-constexpr double kAim = 0.8;
 /// A gain in cost below this is not worth another run.
 constexpr double kWorthwhile = 0.93;
 /// Costs this close are the same: of such settings the most exact one is taken.
 constexpr double kSameCost = 1.1;
-constexpr int kMostTries = 14;  // of one method in one precision
+/// What is expected to cost so many times too much in the end is not followed up: the guess may be that wrong.
+constexpr double kHopeless = 4;
+/// What is expected to be so many times less exact than the best is not tried: the guess may be that wrong.
+constexpr double kDoubt = 20;
+/// What is likely to be found may cost so many times more than what is not, and is tried before it.
+constexpr double kLikely = 0.1;
+constexpr int kMostTries = 14;  // of one method in one precision and one search
+
+template <class Value>
+std::size_t leastOf(const std::vector<SettingCandidate>& candidates, const Value& value, double& least) {
+  std::size_t best = 0;
+  least = kInfinity;
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    const double here = value(k);
+    if (here < least) least = here, best = k;
+  }
+  return best;
+}
 
 }  // namespace
 
-/// A method in a precision, its knob (a step in s or a tolerance in m), and what is known of it so far.
-struct SettingSearch::Candidate {
-  const Method* method;
-  Scene scene;
-  double loosest = 0;   ///< knob
-  double interval = 0;  ///< s between samples: fixed steps divide it, so that sampling changes none of them
-  double perStep = 0;   ///< s that a step costs, about; adaptive methods: 0 until known
-  double next = 0;      ///< knob of the next run; 0: closed
-  double expected = 0;  ///< s that it will cost, about
-  std::optional<std::pair<double, Trial>>
-      good = std::nullopt,
-      bad = std::nullopt;  ///< the loosest knob within the error, the tightest outside
-  int tries = 0;
+SettingSearch::SettingSearch(const Scene& scene, SearchPlan plan) : scene_(scene), plan_(std::move(plan)) {
+  gatherCandidates();
+}
 
-  [[nodiscard]] double divided(double step) const {
-    return method->adaptive ? step : interval / std::ceil(interval / step - 1e-9);
-  }
-  /// How E follows the knob: E ~ knob^exponent.
-  [[nodiscard]] double exponent() const { return method->adaptive ? 1 : method->order; }
+void SettingSearch::measureAgainst(const SampledMotion& truth, double unsure) {
+  truth_ = &truth;
+  for (SettingCandidate& candidate : candidates_) candidate.forgetBelow(unsure);
+}
 
-  /// What a step costs; of a run that failed only what is known before it.
-  void learn(double knob, const Trial& trial) {
-    if (!std::isfinite(trial.error)) return;
-    if (method->adaptive) {
-      perStep = trial.seconds * std::pow(knob, 1.0 / method->order);
-    } else {
-      perStep = trial.seconds * knob / scene.duration;
-    }
-  }
-  [[nodiscard]] double expectedAt(double knob) const {
-    return method->adaptive ? perStep * std::pow(knob, -1.0 / method->order) : perStep * scene.duration / knob;
-  }
-
-  void aim(double knob) {
-    knob = divided(std::min(knob, loosest));
-    const bool known = (good && knob <= good->first * 1.001) || (bad && knob >= bad->first * 0.999);
-    next = known || tries >= kMostTries ? 0 : knob;
-    expected = next > 0 ? expectedAt(next) : kInfinity;
-  }
-
-  /// After a run: where to look next for the loosest knob within `error`.
-  void judge(double knob, const Trial& trial, double error) {
-    ++tries;
-    learn(knob, trial);
-    const bool gainsNothing = bad && trial.error > 0.9 * bad->second.error && std::isfinite(trial.error) &&
-                              knob < 0.6 * bad->first && trial.error < 1e-3 * makeSheet(scene).size();
-    if (trial.error <= error) {
-      if (!good || knob > good->first) good = {knob, trial};
-    } else if (!bad || knob < bad->first) {
-      bad = {knob, trial};
-    }
-    if (gainsNothing && !good) {  // rounding, not the method, is what is left
-      next = 0, expected = kInfinity;
-      return;
-    }
-    aim(guess(error));
-  }
-
- private:
-  [[nodiscard]] double guess(double error) const {
-    constexpr double kTightest = 1.0 / 16, kLoosest = 16;
-    if (!bad) return good->first * std::clamp(factor(good->second, error), 1.5, kLoosest);
-    const double wanted =
-        bad->first * (std::isfinite(bad->second.error) ? std::clamp(factor(bad->second, error), kTightest, 0.9) : 0.5);
-    if (!good) return wanted;
-    constexpr double kApart = 1.08;
-    if (bad->first < kApart * kApart * good->first) return 0.5 * good->first;  // close enough: known, so it ends
-    return std::clamp(wanted, kApart * good->first, bad->first / kApart);
-  }
-  [[nodiscard]] double factor(const Trial& trial, double error) const {
-    return std::pow(kAim * error / trial.error, 1 / exponent());
-  }
-};
-
-SettingSearch::SettingSearch(const Scene& scene, const SampledMotion& truth, SearchPlan plan)
-    : scene_(scene), truth_(truth), plan_(std::move(plan)) {}
-SettingSearch::~SettingSearch() = default;
-
-std::vector<SettingSearch::Candidate> SettingSearch::candidates() const {
-  std::vector<Candidate> all;
+void SettingSearch::gatherCandidates() {
+  constexpr double kOfTheCheapest = 4;
+  const double interval = sampleTimes(scene_).front();
+  double cheapest = 0;
   for (const Method* method : plan_.methods) {
     if (!advisable(*method) || !takes(*method, scene_)) continue;
     for (const Precision precision : plan_.precisions) {
-      Candidate& candidate = all.emplace_back(Candidate{method, scene_});
-      candidate.scene.integrator = method->name;
-      candidate.scene.precision = precision;
-      candidate.interval = truth_.times.front();
-      if (method->adaptive) {
-        constexpr double kLoosestOfSize = 0.02;
-        candidate.loosest = kLoosestOfSize * makeSheet(scene_).size();
-        continue;
+      SettingCandidate& candidate = candidates_.emplace_back(scene_, *method, precision, interval);
+      if (method->adaptive) continue;
+      const double unit = plan_.cost(candidate.at(candidate.loosest()), plan_.threads);
+      candidate.priceStep(unit * std::max(method->evaluationsPerStep, 1));
+      const double seconds = candidate.expectedAt(candidate.loosest());
+      if (cheapest == 0 || seconds < cheapest) cheapest = seconds;
+      if (plan_.observer && !plan_.observer()) {
+        stopped_ = true;
+        return;
       }
-      double limit = restLatticeLimit(scene_, *method);
-      // No stable step: a run of a given length still survives with small ones.
-      if (limit == 0) limit = restLatticeLimit(scene_, findMethod("symplectic-euler"));
-      candidate.loosest =
-          candidate.divided(limit > 0 ? std::min(kShareOfLimit * limit, candidate.interval) : candidate.interval);
-      Scene atIt = candidate.scene;
-      atIt.dt = candidate.loosest;
-      candidate.perStep = plan_.cost(atIt, plan_.threads) * std::max(method->evaluationsPerStep, 1);
     }
   }
-  return all;
+  mostSeconds_ = std::max({plan_.mostSeconds, scene_.duration, kOfTheCheapest * cheapest});
 }
 
-double SettingSearch::mostSecondsFor(const std::vector<Candidate>& all) const {
-  constexpr double kOfTheCheapest = 4;
-  double cheapest = kInfinity;
-  for (const Candidate& candidate : all) {
-    if (candidate.perStep > 0) cheapest = std::min(cheapest, candidate.expectedAt(candidate.loosest));
-  }
-  return std::isfinite(cheapest) ? std::max(plan_.mostSeconds, kOfTheCheapest * cheapest) : plan_.mostSeconds;
+double SettingSearch::allSeconds() const {
+  constexpr double kDearestRuns = 3;
+  return std::max(plan_.allSeconds, kDearestRuns * mostSeconds_);
 }
 
-const Trial& SettingSearch::tryOut(const Candidate& candidate, double knob) {
-  const std::string key = std::string(candidate.method->name) +
-                          (candidate.scene.precision == Precision::Float ? " float " : " double ") +
-                          std::to_string(std::log(knob));
-  const auto found = trials_.find(key);
-  if (found != trials_.end()) return found->second;
-  Trial trial;
-  trial.scene = candidate.scene;
-  (candidate.method->adaptive ? trial.scene.tolerance : trial.scene.dt) = knob;
+void SettingSearch::tryOut(SettingCandidate& candidate, double knob, double most) {
+  const Scene scene = candidate.at(knob);
+  const Method& method = candidate.method();
+  const double unit = plan_.cost(scene, plan_.threads);
   const auto observer = [&](double) {
     stopped_ = stopped_ || (plan_.observer && !plan_.observer());
     return !stopped_;
   };
-  const SampledMotion run =
-      sampledRun(trial.scene, *candidate.method, truth_.times, {.threads = plan_.threads, .observer = observer});
-  trial.status = run.status;
-  trial.work = workOf(*candidate.method, run);
-  trial.seconds = static_cast<double>(trial.work) * plan_.cost(trial.scene, plan_.threads);
-  if (run.status == Status::Ok && !run.stopped) {
-    trial.error = motionError(run, truth_).rms;
+  constexpr double kSlack = 1.05;  // evaluations at starts and jumps of the force are not part of the guess
+  const auto mostEvaluations = static_cast<std::int64_t>(std::fmin(std::ceil(kSlack * most / unit), 1e18));
+  SamplingOptions options{.threads = plan_.threads, .observer = observer};
+  options.mostEvaluations = mostEvaluations;
+  const SampledMotion run = sampledRun(scene, method, truth_->times, options);
+  Trial trial{.scene = scene, .status = run.status, .work = workOf(method, run)};
+  trial.seconds = static_cast<double>(trial.work) * unit;
+  trial.wholeSeconds = trial.seconds;
+  if (run.stopped) {
+    trial.cutShort = true;
+    const double samples = static_cast<double>(run.times.size()) + 0.5;  // it ended somewhere in the next one
+    trial.wholeSeconds *= std::max(1.0, static_cast<double>(truth_->times.size()) / samples);
+  } else if (run.status == Status::Ok) {
+    trial.error = motionError(run, *truth_).rms;
   }
-  return trials_[key] = trial;
+  ++runs_;
+  spent_ += trial.seconds;
+  if (!stopped_) candidate.learn(knob, trial);
 }
 
-std::optional<Trial> SettingSearch::cheapestWithin(double error) {
-  std::vector<Candidate> all = candidates();
-  for (Candidate& candidate : all) {
-    candidate.aim(candidate.method->adaptive ? error : candidate.loosest);
-    if (candidate.method->adaptive) candidate.expected = 0;  // unknown until its first run
+/// s that a run within the error will cost in the end; of a method that has not run in this precision what the other
+/// says.
+double SettingSearch::endOf(std::size_t k, const std::vector<SettingCandidate::Next>& next) const {
+  if (!candidates_[k].runs().empty()) return next[k].inTheEnd;
+  double end = 0;
+  for (std::size_t other = 0; other < candidates_.size(); ++other) {
+    if (&candidates_[other].method() == &candidates_[k].method()) end = std::max(end, next[other].inTheEnd);
   }
-  double least = kInfinity, spent = 0;  // s: the cheapest so far, all so far
-  const double mostSeconds = mostSecondsFor(all), allSeconds = std::max(plan_.allSeconds, 6 * mostSeconds);
-  while (!all.empty() && !stopped_ && spent < allSeconds) {
-    Candidate& candidate = *std::ranges::min_element(all, {}, &Candidate::expected);
-    if (candidate.next == 0 || candidate.expected > std::min(mostSeconds, kSameCost * least)) break;
-    if (candidate.tries > 0 && candidate.expected > kWorthwhile * least) {
-      candidate.expected = kInfinity;
-      continue;
+  return end;
+}
+
+std::optional<Trial> SettingSearch::cheapestWithin(double error, double seconds) {
+  std::vector<SettingCandidate::Next> next;
+  for (const SettingCandidate& candidate : candidates_) next.push_back(candidate.next(error));
+  std::vector<int> tries(candidates_.size(), 0);
+  const double enough = spent_ + allSeconds();
+  double expected = 0;
+  gaveUp_ = false;
+  while (!stopped_) {
+    const double least = leastSeconds(error), most = std::min({seconds, mostSeconds_, kSameCost * least});
+    const auto worth = [&](std::size_t k) {
+      const bool fresh = candidates_[k].runs().empty(), likely = next[k].inTheEnd > 0 && next[k].inTheEnd <= most;
+      const bool closed = next[k].knob == 0 || tries[k] >= kMostTries || next[k].seconds > most;
+      const bool refined = !fresh && next[k].seconds > kWorthwhile * least;
+      if (closed || refined || endOf(k, next) > kHopeless * most) return kInfinity;
+      // What is likely to be within comes first: it tells what is too dear.
+      return likely && std::isinf(least) ? kLikely * next[k].seconds : next[k].seconds;
+    };
+    const std::size_t k = leastOf(candidates_, worth, expected);
+    if (!std::isfinite(expected)) break;
+    if (spent_ > enough) {
+      gaveUp_ = true;
+      break;
     }
-    const double knob = candidate.next;
-    const Trial& trial = tryOut(candidate, knob);
-    if (stopped_) break;
-    spent += trial.seconds;
-    if (trial.error <= error) least = std::min(least, trial.seconds);
-    candidate.judge(knob, trial, error);
+    tryOut(candidates_[k], next[k].knob, most);
+    next[k] = candidates_[k].next(error);
+    ++tries[k];
   }
-  std::optional<Trial> best;
-  for (const auto& [key, trial] : trials_) {
-    const bool counts = trial.error <= error && trial.seconds <= kSameCost * least;
-    if (counts && (!best || trial.error < best->error)) best = trial;
-  }
-  return best;
+  return bestWithin(error, std::min(seconds, kSameCost * leastSeconds(error)));
 }
 
-std::optional<Trial> SettingSearch::mostExactWithin(double seconds) {
-  constexpr double kScreen = 16;  // a first run of each costs this much less
-  constexpr std::size_t kFinalists = 4;
-  std::vector<Candidate> all = candidates();
-  const double mostSeconds = mostSecondsFor(all);
-  std::optional<Trial> best;
-  const auto judge = [&](const Trial& trial) {
-    const bool counts = trial.seconds <= seconds && std::isfinite(trial.error);
-    if (counts && (!best || trial.error < best->error)) best = trial;
-  };
-  // The tightest knob that so much time can pay for, up to the loosest there is.
-  const auto payable = [](const Candidate& candidate, double most) {
-    const double knob =
-        candidate.perStep == 0 ? candidate.loosest
-        : candidate.method->adaptive
-            ? std::pow(candidate.perStep / most, candidate.method->order)
-            : candidate.interval /
-                  std::max(std::floor(candidate.interval * most / (candidate.perStep * candidate.scene.duration)), 1.0);
-    return std::min(knob, candidate.loosest);
-  };
-  for (Candidate& candidate : all) {
-    const double knob = payable(candidate, seconds / kScreen);
-    if (candidate.expectedAt(knob) > mostSeconds) continue;
-    const Trial& trial = tryOut(candidate, knob);
-    if (stopped_) return best;
-    candidate.learn(knob, trial);
-    judge(trial);
-    const double tighter = payable(candidate, seconds) / knob;
-    candidate.expected = std::isfinite(trial.error) ? trial.error * std::pow(tighter, candidate.exponent()) : kInfinity;
-  }
-  std::ranges::stable_sort(all, {}, &Candidate::expected);
-  for (std::size_t k = 0; k < std::min(kFinalists, all.size()); ++k) {
-    constexpr int kRefinements = 2;  // an adaptive method's cost is only known afterwards
-    for (int turn = 0; turn < kRefinements; ++turn) {
-      const double knob = payable(all[k], std::min(seconds, mostSeconds));
-      const Trial& trial = tryOut(all[k], knob);
-      if (stopped_) return best;
-      all[k].learn(knob, trial);
-      judge(trial);
+std::optional<Trial> SettingSearch::mostExactWithin(double seconds, double floor) {
+  if (std::optional<Trial> exact = cheapestWithin(floor, seconds)) return exact;
+  const double most = std::min(seconds, mostSeconds_);
+  std::vector<int> tries(candidates_.size(), 0);
+  const double enough = spent_ + allSeconds();
+  double expected = 0;
+  gaveUp_ = false;
+  while (!stopped_) {
+    const std::optional<Trial> best = bestFor(seconds);
+    const auto promised = [&](std::size_t k) {
+      const SettingCandidate& candidate = candidates_[k];
+      const double knob = candidate.payable(most);
+      const bool open = tries[k] < kMostTries && candidate.known(knob) == nullptr && candidate.expectedAt(knob) <= most;
+      return open ? candidate.errorAt(knob) : kInfinity;
+    };
+    const std::size_t k = leastOf(candidates_, promised, expected);
+    if (!std::isfinite(expected) || (best && expected > kDoubt * best->error)) break;
+    if (spent_ > enough) {
+      gaveUp_ = true;
+      break;
     }
+    tryOut(candidates_[k], candidates_[k].payable(most), most);
+    ++tries[k];
   }
-  return best;
+  return bestFor(seconds);
 }
 
-std::optional<Trial> SettingSearch::leastError() const {
-  std::optional<Trial> least;
-  for (const auto& [key, trial] : trials_) {
-    if (std::isfinite(trial.error) && (!least || trial.error < least->error)) least = trial;
+double SettingSearch::leastSeconds(double error) const {
+  double least = kInfinity;
+  for (const SettingCandidate& candidate : candidates_) {
+    for (const SettingCandidate::Run& run : candidate.runs()) {
+      if (run.trial.error <= error) least = std::min(least, run.trial.seconds);
+    }
   }
   return least;
 }
 
+std::optional<Trial> SettingSearch::bestWithin(double error, double seconds) const {
+  std::optional<Trial> best = bestFor(seconds);
+  return best && best->error <= error ? best : std::nullopt;
+}
+
+std::optional<Trial> SettingSearch::bestFor(double seconds) const {
+  std::optional<Trial> best;
+  for (const SettingCandidate& candidate : candidates_) {
+    for (const auto& [knob, trial] : candidate.runs()) {
+      const bool counts = trial.seconds <= seconds && std::isfinite(trial.error);
+      if (counts && (!best || trial.error < best->error)) best = trial;
+    }
+  }
+  return best;
+}
+
+std::optional<Trial> SettingSearch::leastError() const { return bestFor(kInfinity); }
+
 std::optional<Trial> SettingSearch::cheapest() const {
   std::optional<Trial> cheapest;
-  for (const auto& [key, trial] : trials_) {
-    if (std::isfinite(trial.error) && (!cheapest || trial.seconds < cheapest->seconds)) cheapest = trial;
+  for (const SettingCandidate& candidate : candidates_) {
+    for (const auto& [knob, trial] : candidate.runs()) {
+      if (std::isfinite(trial.error) && (!cheapest || trial.seconds < cheapest->seconds)) cheapest = trial;
+    }
   }
   return cheapest;
 }

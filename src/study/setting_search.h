@@ -4,69 +4,72 @@
 
 #include <functional>
 #include <limits>
-#include <map>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "study/cost.h"
+#include "study/setting_candidate.h"
 
 namespace tyg {
-
-/// A setting and what a run at it gave.
-struct Trial {
-  Scene scene;  ///< with the setting's method, step or tolerance, and precision
-  Status status = Status::Ok;
-  double error = std::numeric_limits<double>::infinity();  ///< E, m; infinite for a run that failed
-  std::int64_t work = 0;                                   ///< units
-  double seconds = 0;                                      ///< work times its calibrated cost
-};
 
 struct SearchPlan {
   std::vector<const Method*> methods;
   std::vector<Precision> precisions{Precision::Double, Precision::Float};
   int threads = 1;
   UnitCost cost;
-  double mostSeconds = 3;  ///< no run that is expected to cost more is tried; at least four of the cheapest run's cost
-  double allSeconds = 15;  ///< of all runs of one search; at least six of the dearest run's
+  /// No run that costs more is made: at least real time, and four times what the cheapest run costs.
+  double mostSeconds = 1.5;
+  double allSeconds = 4;  ///< of all runs of one search: at least three of the dearest run's
   /// Called now and then; false stops.
   std::function<bool()> observer;
 };
 
-/// Runs are kept: a second search on the same motion starts from what the first one learnt.
+/// Runs are kept: a second search starts from what the first one learnt.
 class SettingSearch {
  public:
-  /// `truth` is what errors are measured against; both must outlive this object. Methods that refuse the scene, and
-  /// those that no study may recommend, are left out.
-  SettingSearch(const Scene& scene, const SampledMotion& truth, SearchPlan plan);
-  ~SettingSearch();
-  SettingSearch(const SettingSearch&) = delete;
-  SettingSearch& operator=(const SettingSearch&) = delete;
+  /// `scene` must outlive this object. Methods that refuse the scene, and those that no study may recommend, are left
+  /// out.
+  SettingSearch(const Scene& scene, SearchPlan plan);
+
+  /// What errors are measured against from now on; it must outlive this object or be replaced. Errors that were
+  /// measured before and are below `unsure` m are forgotten.
+  void measureAgainst(const SampledMotion& truth, double unsure);
 
   /// The cheapest setting found whose E is at most `error` m; of those that cost up to a tenth more, the most exact
-  /// one. Nothing where there is none that mostSeconds can pay.
-  std::optional<Trial> cheapestWithin(double error);
-  /// The setting of least E found whose cost is at most `seconds`. Nothing where every stable run costs more.
-  std::optional<Trial> mostExactWithin(double seconds);
+  /// one. Nothing where there is none that mostSeconds and `seconds` can pay.
+  std::optional<Trial> cheapestWithin(double error, double seconds = std::numeric_limits<double>::infinity());
+  /// The setting of least E found whose cost is at most `seconds`; where several come below `floor` m, the cheapest of
+  /// them. Nothing where every stable run costs more.
+  std::optional<Trial> mostExactWithin(double seconds, double floor);
 
   /// Of all runs so far, the one of least error and the cheapest that did not fail.
   [[nodiscard]] std::optional<Trial> leastError() const;
   [[nodiscard]] std::optional<Trial> cheapest() const;
-  [[nodiscard]] int runs() const { return static_cast<int>(trials_.size()); }
+  [[nodiscard]] int runs() const { return runs_; }
+  [[nodiscard]] double spent() const { return spent_; }  ///< s of all runs so far
+  /// s: the most that one run may cost.
+  [[nodiscard]] double mostSeconds() const { return mostSeconds_; }
+  /// Did the last search end because all of its seconds were spent?
+  [[nodiscard]] bool gaveUp() const { return gaveUp_; }
   [[nodiscard]] bool stopped() const { return stopped_; }
 
  private:
-  struct Candidate;
-  [[nodiscard]] std::vector<Candidate> candidates() const;
-  [[nodiscard]] double mostSecondsFor(const std::vector<Candidate>& all) const;
-  /// One run of a candidate at a knob: a step (s) or a tolerance (m).
-  const Trial& tryOut(const Candidate& candidate, double knob);
+  void gatherCandidates();
+  [[nodiscard]] double leastSeconds(double error) const;
+  [[nodiscard]] std::optional<Trial> bestWithin(double error, double seconds) const;
+  [[nodiscard]] std::optional<Trial> bestFor(double seconds) const;
+  [[nodiscard]] double allSeconds() const;
+  [[nodiscard]] double endOf(std::size_t candidate, const std::vector<SettingCandidate::Next>& next) const;
+  /// One run at a knob, which is cut short where it would cost more than `most` s.
+  void tryOut(SettingCandidate& candidate, double knob, double most);
 
   const Scene& scene_;
-  const SampledMotion& truth_;
+  const SampledMotion* truth_ = nullptr;
   SearchPlan plan_;
-  std::map<std::string, Trial> trials_;
-  bool stopped_ = false;
+  std::vector<SettingCandidate> candidates_;
+  double mostSeconds_ = 0;
+  int runs_ = 0;
+  double spent_ = 0;
+  bool gaveUp_ = false, stopped_ = false;
 };
 
 }  // namespace tyg

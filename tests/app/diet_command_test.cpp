@@ -36,6 +36,8 @@ TEST(DietCommand, ItsTableFitsEightyColumns) {
   for (const char* word : {"no bend", "no shear", "float", "together", "What it leaves out"}) {
     EXPECT_TRUE(holds(outcome.out, word)) << word << " in\n" << outcome.out;
   }
+  // So small a sheet's steps cost nearly the same in both.
+  EXPECT_TRUE(holds(outcome.out, "leapfrog") || holds(outcome.out, "symplectic-euler")) << outcome.out;
 }
 
 TEST(DietCommand, ItsJsonIsOneObjectWithEveryPart) {

@@ -58,6 +58,35 @@ Scene smoothSheet() {
   return scene;
 }
 
+TEST(Reference, OneThatNeedNotBeSoExactCostsLessAndKnowsHowExactItIs) {
+  const Reference full = referenceOf(smoothSheet());
+  const Reference rough = makeReference(smoothSheet(), 1, [](double) { return true; },
+                                        {.tolerance = 1e-6, .agreement = 1e-6, .motion = nullptr});
+  ASSERT_TRUE(rough.usable());
+  EXPECT_LT(rough.motion.forceEvaluations, full.motion.forceEvaluations / 2);
+  EXPECT_GT(rough.secondStep, 2 * full.secondStep);
+  EXPECT_LE(rough.disagreement.back(), 1e-6);
+  EXPECT_LE(motionError(rough.motion, full.motion).rms, rough.disagreement.back() + full.disagreement.back());
+}
+
+TEST(Reference, DoesNotRunAgainWhatItIsGiven) {
+  const Reference full = referenceOf(smoothSheet());
+  SampledMotion marked = full.motion;
+  marked.forceEvaluations = -1;
+  const ReferenceAim aim{.tolerance = full.scene.tolerance, .agreement = 0, .motion = &marked};
+  EXPECT_EQ(makeReference(
+                smoothSheet(), 1, [](double) { return true; }, aim)
+                .motion.forceEvaluations,
+            -1);
+  const ReferenceAim other{.tolerance = 1e-6,  // rougher than any reference
+                           .agreement = 0,
+                           .motion = &marked};
+  EXPECT_GT(makeReference(
+                smoothSheet(), 1, [](double) { return true; }, other)
+                .motion.forceEvaluations,
+            0);
+}
+
 TEST(Reference, AgreesWithAnotherLibraryOnASeparatelyWrittenListOfSprings) {
   constexpr double kFarBelowWhatIsCharted = 1e-11;  // of the size
   for (const Damping damping : {Damping::Relative, Damping::Axial}) {
