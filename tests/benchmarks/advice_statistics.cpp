@@ -153,8 +153,7 @@ void judge(const Scene& scene, const Request& request, Tally& tally) {
   tally.held += held ? 1 : 0;
   tally.near += ratio <= 1.5 ? 1 : 0;
   tally.ratios.push_back(ratio), tally.errorRatios.push_back(errorRatio);
-  std::printf("%s,%s,%.4g,%.3g,%.4g,%.3f,%.3f,%s\n", choice.scene.integrator.c_str(),
-              std::string(nameOf(choice.scene.precision)).c_str(),
+  std::printf("%s,%s,%.4g,%.3g,%.4g,%.3f,%.3f,%s\n", choice.scene.integrator.c_str(), nameOf(choice.scene.precision),
               findMethod(choice.scene.integrator).adaptive ? choice.scene.tolerance : choice.scene.dt, achieved,
               choice.seconds, ratio, errorRatio, held ? "held" : "missed");
   std::fflush(stdout);
