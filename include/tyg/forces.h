@@ -67,6 +67,7 @@ class Forces {
 
   /// With `on`, every evaluation also works out the power that damping and drag take from the cloth.
   void trackDissipation(bool on) { trackDissipation_ = on; }
+  [[nodiscard]] bool tracksDissipation() const { return trackDissipation_; }
   /// The last evaluation counts for `seconds` in the integral of the dissipated power. Methods call it with their own
   /// quadrature weights, so that the ledger closes to the method's own order.
   void dissipate(double seconds) { addDissipated(seconds * power()); }

@@ -13,11 +13,13 @@ namespace tyg {
 
 /// One deed, taking effect at the beginning of a tick.
 struct LogEvent {
-  enum class Kind { Push, Method, Step };
+  enum class Kind { Push, Method, Step, Structural, Shear, Bend, Gravity, Drag, Tolerance };
   std::int64_t tick = 0;
   Kind kind = Kind::Push;
-  int particle = 0;      ///< Push
-  Vec3 force{};          ///< Push, N
+  int particle = 0;  ///< Push
+  /// Push, N. Of the others what is new: Gravity, m/s2; Drag and Tolerance, x, N s/m and m; a family of springs, x, ks
+  /// in N/m, and y, kd in N s/m.
+  Vec3 force{};
   int ticks = 0;         ///< Push, how long
   std::string method{};  ///< Method
   double dt = 0;         ///< Step, s

@@ -77,6 +77,10 @@ class Simulation {
   /// Goes on with another method or step from the next tick on, logged. Throws InputError where dt is not positive.
   void useMethod(const Method& method);
   void useStep(double dt);
+  /// Goes on with the springs, the gravity, the drag and the tolerance of this scene from the next tick on, logged; the
+  /// rest of it is passed over. What that adds to the energies counts as work. Throws InputError where the method does
+  /// not take them.
+  void useWorld(const Scene& scene);
   /// Whether to follow the dissipated energy, from now on (see Settings::ledger): the drift then counts from now. What
   /// moves stays the same to the last bit.
   void followLedger(bool on);
@@ -95,7 +99,8 @@ class Simulation {
   [[nodiscard]] std::int64_t steps() const;
   [[nodiscard]] std::int64_t forceEvaluations() const;
   [[nodiscard]] int threads() const;
-  [[nodiscard]] const Scene& scene() const;
+  [[nodiscard]] const Scene& scene() const;       ///< with the springs and the world that are in use
+  [[nodiscard]] const Scene& startScene() const;  ///< as it began
   [[nodiscard]] const Sheet& sheet() const;
   [[nodiscard]] const Method& method() const;
   [[nodiscard]] const PushLog& log() const;  ///< every push and change since the start

@@ -34,7 +34,7 @@ Ghost::Ghost(const Simulation& live, const Method* second)
 
 /// The live scene as the ghost runs it.
 Scene Ghost::sceneFor(const Simulation& live) const {
-  Scene scene = live.scene();
+  Scene scene = live.startScene();
   scene.integrator = method_->name;
   if (second_ != nullptr) return scene;
   scene.precision = Precision::Double;
@@ -43,7 +43,7 @@ Scene Ghost::sceneFor(const Simulation& live) const {
 }
 
 void Ghost::begin(const Simulation& live) {
-  liveScene_ = live.scene();
+  liveScene_ = live.startScene();
   scene_ = sceneFor(live);
   const Settings settings{.threads = live.threads()};
   main_.emplace(scene_, *method_, settings);
@@ -108,7 +108,9 @@ void Ghost::stride(const Simulation& live) {
   const std::vector<LogEvent>& events = live.log().events;
   while (played_.size() < events.size() && events[played_.size()].tick <= main_->ticks()) {
     const LogEvent& event = events[played_.size()];
-    if (event.kind != LogEvent::Kind::Method) {
+    // The reference keeps its own tolerance, either ghost its method.
+    const bool own = event.kind == LogEvent::Kind::Method || (twin_ && event.kind == LogEvent::Kind::Tolerance);
+    if (!own) {
       main_->apply(event, methods());
       if (twin_) twin_->apply(event, methods());
     }
@@ -136,7 +138,7 @@ bool Ghost::strideInTime(const Simulation& live, const Clock& clock) {
 }
 
 void Ghost::follow(const Simulation& live, double seconds, const Clock& clock) {
-  if (live.scene() != liveScene_) begin(live);
+  if (live.startScene() != liveScene_) begin(live);
   if (hasStrayed(live)) goBack(live);
   if (live.ticks() < std::exchange(seen_, live.ticks())) stalled_ = false;
   const std::int64_t before = main_->ticks();

@@ -41,8 +41,9 @@ void describe(const Margin& margin, MarginText& text) {
 
 void MarginWatch::look(Simulation& simulation, const Clock& clock) {
   const Method& method = simulation.method();
-  if (method_ != &method) {
+  if (method_ != &method || world_ != worldOf(simulation.scene())) {
     method_ = &method;
+    world_ = worldOf(simulation.scene());
     lookedAt_ = -1;
     live_ = std::numeric_limits<double>::quiet_NaN();
     margin_ = {.rest = restLatticeLimit(simulation.scene(), method)};

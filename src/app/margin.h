@@ -8,6 +8,7 @@
 #include <limits>
 #include <string_view>
 
+#include "core/world.h"
 #include "tyg/simulation.h"
 
 namespace tyg {
@@ -48,6 +49,7 @@ class MarginWatch {
   void lookLive(Simulation& simulation, const Clock& clock);
 
   const Method* method_ = nullptr;
+  World world_;
   double live_ = 0;             ///< s
   std::int64_t lookedAt_ = -1;  ///< tick of the last look at it; -1 before the first with this method
   double lastLook_ = 0, nextLook_ = 0;

@@ -1,6 +1,8 @@
 // See scene_change.h.
 #include "app/scene_change.h"
 
+#include "core/world.h"
+
 namespace tyg {
 
 SceneChange changeBetween(const Scene& from, const Scene& to) {
@@ -11,6 +13,7 @@ SceneChange changeBetween(const Scene& from, const Scene& to) {
   Scene alike = from;
   alike.integrator = to.integrator;
   alike.dt = to.dt;
+  setWorld(alike, worldOf(to));
   return alike == to ? SceneChange::Live : SceneChange::Restart;
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/room.h"
 #include "app/viewer.h"
+#include "core/world.h"
 #include "tyg/methods.h"
 
 namespace tyg {
@@ -21,10 +22,14 @@ SceneChange Viewer::use(const Scene& scene) {
   return change;
 }
 
-/// Another method or step. A frozen simulation stays as it is: they are for the next run.
+/// Another method, step or world. A frozen simulation stays as it is: they are for the next run.
 void Viewer::useLive(const Scene& scene) {
   useMethod(findMethod(scene.integrator));
   if (scene.dt != scene_.dt) useStep(scene.dt);
+  if (state_ != RunState::Frozen && worldOf(scene) != worldOf(simulation_.scene())) {
+    beforeDeed();
+    simulation_.useWorld(scene);
+  }
   scene_ = scene;
 }
 

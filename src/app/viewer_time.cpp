@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/viewer.h"
+#include "core/world.h"
 #include "tyg/methods.h"
 
 namespace tyg {
@@ -158,11 +159,12 @@ void Viewer::useMethod(const Method& method) {
   scene_.integrator = method.name;
 }
 
-/// Another moment may have had another method or step.
+/// Another moment may have had another method, step or world.
 void Viewer::followSimulation() {
   method_ = &simulation_.method();
   scene_.integrator = method_->name;
   scene_.dt = simulation_.dt();
+  setWorld(scene_, worldOf(simulation_.scene()));
   frameClock_.setTick(simulation_.dt());
 }
 

@@ -20,6 +20,9 @@ class MovingSheet {
 
   virtual ~MovingSheet() = default;
   virtual void useMethod(const Method& method) = 0;
+  /// The scene has other springs or another world now; pushes have to be added anew. Changes nothing where `method`
+  /// throws.
+  virtual void useWorld(const Method& method) = 0;
   /// `count` steps of h seconds, 1 to 64.
   virtual void steps(double h, int count) = 0;
   /// See Integrator::stepWithin.

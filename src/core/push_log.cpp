@@ -27,8 +27,23 @@ std::string textOf(double number) {
   return {text.data(), end.ptr};
 }
 
+/// An event that keeps numbers in the fields of a push's force: how many, and the lowest that they may be.
+struct Change {
+  LogEvent::Kind kind;
+  std::string_view name;
+  std::size_t count;
+  bool positive, anySign;
+};
+constexpr std::array<Change, 6> kChanges{{{LogEvent::Kind::Structural, "structural", 2, false, false},
+                                          {LogEvent::Kind::Shear, "shear", 2, false, false},
+                                          {LogEvent::Kind::Bend, "bend", 2, false, false},
+                                          {LogEvent::Kind::Gravity, "gravity", 3, false, true},
+                                          {LogEvent::Kind::Drag, "drag", 1, false, false},
+                                          {LogEvent::Kind::Tolerance, "tolerance", 1, true, false}}};
+
 std::string lineOf(const LogEvent& event) {
   const std::string tick = std::to_string(event.tick);
+  const std::array<double, 3> numbers{event.force.x, event.force.y, event.force.z};
   switch (event.kind) {
     case LogEvent::Kind::Push:
       return tick + ",push," + std::to_string(event.particle) + ',' + textOf(event.force.x) + ',' +
@@ -36,9 +51,15 @@ std::string lineOf(const LogEvent& event) {
     case LogEvent::Kind::Method:
       return tick + ",method,,,,,," + event.method + ',';
     case LogEvent::Kind::Step:
+      return tick + ",step,,,,,,," + textOf(event.dt);
+    default:
       break;
   }
-  return tick + ",step,,,,,,," + textOf(event.dt);
+  const auto change =
+      std::find_if(kChanges.begin(), kChanges.end(), [&](const Change& c) { return c.kind == event.kind; });
+  std::string line = tick + ',' + std::string(change->name) + ',';
+  for (std::size_t k = 0; k < numbers.size(); ++k) line += ',' + (k < change->count ? textOf(numbers[k]) : "");
+  return line + ",,,";
 }
 
 /// Walks through the text line by line and knows where it is for messages.
@@ -177,7 +198,7 @@ class LogReader {
       event.kind = LogEvent::Kind::Step;
       event.dt = finite("dt", fields[8], true);
     } else {
-      refuse("event", fields[1], "push, method or step");
+      readChange(fields, event);
     }
     refuseStrays(fields, event.kind);
     log_.events.push_back(event);
@@ -190,12 +211,30 @@ class LogReader {
     event.ticks = number("ticks", fields[6], 1, std::numeric_limits<int>::max());
   }
 
+  void readChange(const Fields& fields, LogEvent& event) const {
+    const auto change =
+        std::find_if(kChanges.begin(), kChanges.end(), [&](const Change& c) { return c.name == fields[1]; });
+    if (change == kChanges.end()) {
+      refuse("event", fields[1], "push, method, step, structural, shear, bend, gravity, drag or tolerance");
+    }
+    event.kind = change->kind;
+    constexpr std::array<std::string_view, 3> kNames{"fx", "fy", "fz"};
+    std::array<double, 3> numbers{};
+    for (std::size_t k = 0; k < change->count; ++k) {
+      numbers[k] = finite(kNames[k], fields[3 + k], change->positive);
+      if (numbers[k] < 0 && !change->anySign) refuse(kNames[k], fields[3 + k], "a finite number from 0");
+    }
+    event.force = {numbers[0], numbers[1], numbers[2]};
+  }
+
   /// A number in a field that its event does not use is a mistake somewhere: it is not passed over.
   void refuseStrays(const Fields& fields, LogEvent::Kind kind) const {
+    const auto change = std::find_if(kChanges.begin(), kChanges.end(), [&](const Change& c) { return c.kind == kind; });
+    const std::size_t numbers = change == kChanges.end() ? 0 : change->count;
     for (std::size_t field = 2; field < fields.size(); ++field) {
       const bool pushField = field <= 6;
       const bool used = (pushField && kind == LogEvent::Kind::Push) || (field == 7 && kind == LogEvent::Kind::Method) ||
-                        (field == 8 && kind == LogEvent::Kind::Step);
+                        (field == 8 && kind == LogEvent::Kind::Step) || (field >= 3 && field < 3 + numbers);
       if (!used && !fields[field].empty()) refuse("field " + std::to_string(field + 1), fields[field], "nothing");
     }
   }

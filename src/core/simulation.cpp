@@ -53,6 +53,10 @@ void Simulation::useStep(double dt) {
   body_->useStep(dt);
 }
 
+void Simulation::useWorld(const Scene& scene) {
+  for (const LogEvent& event : changesBetween(worldOf(body_->scene), worldOf(scene))) body_->changeWorld(event);
+}
+
 void Simulation::keepGoing(bool yes) { body_->settings.keepGoing = yes; }
 
 void Simulation::apply(const LogEvent& event, std::span<const Method> methods) {
@@ -80,6 +84,7 @@ std::int64_t Simulation::steps() const { return body_->run().steps; }
 std::int64_t Simulation::forceEvaluations() const { return body_->moving->evaluations(); }
 int Simulation::threads() const { return body_->workers.threads(); }
 const Scene& Simulation::scene() const { return body_->scene; }
+const Scene& Simulation::startScene() const { return body_->started; }
 const Sheet& Simulation::sheet() const { return body_->sheet; }
 const Method& Simulation::method() const { return *body_->run().method; }
 const PushLog& Simulation::log() const { return body_->run().log; }

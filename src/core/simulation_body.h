@@ -10,6 +10,7 @@
 #include "core/alarm.h"
 #include "core/moving_sheet.h"
 #include "core/run_memory.h"
+#include "core/world.h"
 #include "tyg/simulation.h"
 #include "tyg/workers.h"
 
@@ -24,6 +25,7 @@ inline Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b
 
 struct Simulation::Body {
   Scene scene;
+  const Scene started;
   Sheet sheet;
   Settings settings;
   Workers workers;
@@ -35,6 +37,7 @@ struct Simulation::Body {
 
   Body(Scene wanted, const Method& method, const Settings& asked)
       : scene(std::move(wanted)),
+        started(scene),
         sheet(makeSheet(scene)),
         settings(asked),
         workers(asked.threads > 0 ? asked.threads : defaultThreads(sheet.count())),
@@ -226,10 +229,15 @@ struct Simulation::Body {
   /// Everything that changes as time passes.
   struct Saved {
     Run run;
+    World world;
     std::unique_ptr<MovingSheet::Moment> moment;
   };
-  [[nodiscard]] Saved save() const { return {run(), moving->save()}; }
+  [[nodiscard]] Saved save() const { return {run(), worldOf(scene), moving->save()}; }
   void restore(const Saved& saved) {
+    if (saved.world != worldOf(scene)) {
+      setWorld(scene, saved.world);
+      moving->useWorld(*saved.run.method);
+    }
     run() = saved.run;
     moving->restore(*saved.moment);
     applyPushes();
@@ -300,6 +308,34 @@ struct Simulation::Body {
     note({.kind = LogEvent::Kind::Step, .dt = dt});
   }
 
+  /// Gravitational energy counts from the start shape, and the alarm learns anew what a large energy is: what the
+  /// change itself adds is nobody's fault.
+  void changeWorld(const LogEvent& event) {
+    const World before = worldOf(scene);
+    World after = before;
+    change(after, event);
+    const double stored = storedNow();
+    setWorld(scene, after);
+    try {
+      moving->useWorld(*run().method);
+    } catch (...) {
+      setWorld(scene, before);
+      throw;
+    }
+    applyPushes();
+    Run& r = run();
+    r.startHeight = makeMovingSheet(scene, sheet, *r.method, workers, false)->energy().gravitational;
+    r.finishedWork += storedNow() - stored;
+    r.alarm = makeAlarm(scene, sheet, moving->energy());
+    look();
+    note(event);
+  }
+  /// J.
+  [[nodiscard]] double storedNow() const {
+    const StoredEnergy energy = moving->energy();
+    return energy.elastic + energy.gravitational - run().startHeight;
+  }
+
   [[nodiscard]] const Method& replayMethod(std::string_view name) const {
     const auto found = std::find_if(replayMethods.begin(), replayMethods.end(),
                                     [&](const Method& method) { return method.name == name; });
@@ -324,6 +360,8 @@ struct Simulation::Body {
         return useMethod(replayMethod(event.method));
       case LogEvent::Kind::Step:
         return useStep(event.dt);
+      default:
+        return changeWorld(event);
     }
   }
 };

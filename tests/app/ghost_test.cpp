@@ -72,6 +72,19 @@ TEST(Ghost, IsPushedWhereverTheLiveClothIs) {
   EXPECT_GT(moved, 100 * ghost.gap()->largest);
 }
 
+TEST(Ghost, ChangesItsWorldWithTheLiveCloth) {
+  Simulation live = liveOf(poke());
+  Ghost same(live, &findMethod("leapfrog")), reference(live, nullptr);
+  live.tick(20), followFully(same, live), followFully(reference, live);
+  Scene moon = poke();
+  moon.gravity = {0, -1.62, 0}, moon.bend.ks = 50, moon.tolerance = 0.1;
+  live.useWorld(moon);
+  live.tick(60), followFully(same, live), followFully(reference, live);
+  EXPECT_EQ(same.gap()->largest, 0);
+  constexpr double kOfTheMethod = 1e-3;  // of the size, what leapfrog is off at this step
+  EXPECT_LT(reference.gap()->largest, kOfTheMethod * live.sheet().size());
+}
+
 TEST(Ghost, DoesNotChangeMethodWithTheLiveCloth) {
   Simulation live = liveOf(poke());
   Ghost ghost(live, &findMethod("leapfrog"));

@@ -19,6 +19,14 @@ TEST(SceneChange, MethodAndStepAreTakenLive) {
   EXPECT_EQ(changeBetween(curtain(), other), SceneChange::Live);
 }
 
+TEST(SceneChange, SpringsGravityDragAndToleranceAreTakenLive) {
+  Scene other = curtain();
+  other.structural.ks *= 2, other.bend.kd = 1, other.gravity.x = 1, other.drag = 0.1, other.tolerance = 1e-6;
+  EXPECT_EQ(changeBetween(curtain(), other), SceneChange::Live);
+  other.damping = Damping::Axial;
+  EXPECT_EQ(changeBetween(curtain(), other), SceneChange::Restart);
+}
+
 TEST(SceneChange, PrecisionRestartsAndAnotherGridIsANewSheet) {
   Scene other = curtain();
   other.precision = Precision::Float;
@@ -45,6 +53,24 @@ TEST_F(SceneUse, AStepGoesOnWhereTheClothIs) {
   EXPECT_EQ(viewer_.simulation().dt(), half.dt);
   EXPECT_EQ(viewer_.time(), time);
   EXPECT_EQ(viewer_.use(half), SceneChange::None);
+}
+
+TEST_F(SceneUse, OtherGravityActsOnTheMovingClothAndGoesBackWithIt) {
+  viewer_.perform(InputAction::StartOrPause);
+  run(20);
+  const double time = viewer_.time();
+  Scene up = viewer_.scene();
+  up.gravity = {0, 9.81, 0};
+  EXPECT_EQ(viewer_.use(up), SceneChange::Live);
+  EXPECT_EQ(viewer_.time(), time);
+  EXPECT_EQ(viewer_.simulation().scene().gravity, up.gravity);
+  run(20);
+  viewer_.turnToTime(time / 2);
+  run(3);
+  EXPECT_EQ(viewer_.scene().gravity, curtain().gravity);
+  EXPECT_EQ(viewer_.simulation().scene().gravity, curtain().gravity);
+  viewer_.perform(InputAction::Restart);
+  EXPECT_EQ(viewer_.simulation().scene().gravity, curtain().gravity);
 }
 
 TEST_F(SceneUse, AnotherSceneRunsOnFromItsStart) {

@@ -196,10 +196,16 @@ TEST_F(ViewerTest, ARecordReplaysToTheSameHash) {
 
 TEST_F(ViewerTest, ARecordOfAnEditedSceneCarriesItAsItWasEdited) {
   Scene edited = curtain();
-  edited.gravity = {0, -1.62, 0}, edited.structural.kd = 0.4;
+  edited.precision = Precision::Float;
   viewer_.use(edited);
   tap('4');
+  edited = viewer_.scene();
+  edited.structural.kd = 0.4;
+  viewer_.use(edited);
   tap(' ');
+  frames(20);
+  edited.gravity = {0, -1.62, 0};
+  viewer_.use(edited);
   frames(20);
   const PushLog log = parsePushLog(formatPushLog(viewer_.record()), "record");
   const Scene scene = parseScene(log.sceneText, "record", methodNames());

@@ -39,6 +39,20 @@ TEST(PushLog, ComesBackToTheSameBits) {
   EXPECT_EQ(parsePushLog(formatPushLog(quiet), "log"), quiet);
 }
 
+TEST(PushLog, KeepsChangesOfSpringsAndWorld) {
+  using Kind = LogEvent::Kind;
+  PushLog log = fullLog();
+  log.events = {{.tick = 3, .kind = Kind::Structural, .force = {1200, 0.1, 0}},
+                {.tick = 3, .kind = Kind::Gravity, .force = {0, -1.62, 0.5}},
+                {.tick = 4, .kind = Kind::Drag, .force = {0.25, 0, 0}},
+                {.tick = 5, .kind = Kind::Tolerance, .force = {1e-6, 0, 0}}};
+  const std::string text = formatPushLog(log);
+  EXPECT_NE(text.find("\n3,structural,,1200,0.10000000000000001,,,,\n3,gravity,,0,-1.6200000000000001,0.5,,,\n"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(parsePushLog(text, "log"), log);
+}
+
 TEST(PushLog, CarriesItsScene) {
   PushLog log = fullLog();
   log.sceneText = "title = \"Mine\"\n\n[sheet]\ncolumns = 20\n";
@@ -116,7 +130,7 @@ TEST(PushLog, MistakesInTheEventsAreRefusedWithTheirLine) {
   const std::vector<Mistake> mistakes = {
       {10, "", "my.log:10: line: found '', allowed nine fields"},
       {10, "0,push,1,0,0,1,50,", "my.log:10: line: found '0,push,1,0,0,1,50,', allowed nine fields"},
-      {10, "0,poke,1,0,0,1,50,,", "my.log:10: event: found 'poke', allowed push, method or step"},
+      {10, "0,poke,1,0,0,1,50,,", "my.log:10: event: found 'poke', allowed push, method, step, structural"},
       {10, "-1,push,1,0,0,1,50,,", "my.log:10: tick: found '-1', allowed a whole number from 0"},
       {10, "0.5,push,1,0,0,1,50,,", "my.log:10: tick: found '0.5', allowed a whole number"},
       {10, "0,push,600,0,0,1,50,,", "my.log:10: particle: found '600', allowed a whole number from 0 to 599"},
@@ -126,6 +140,10 @@ TEST(PushLog, MistakesInTheEventsAreRefusedWithTheirLine) {
       {10, "0,push,1,0,0,1,50,rk4,", "my.log:10: field 8: found 'rk4', allowed nothing"},
       {11, "7,method,,,,,,,", "my.log:11: method: found '', allowed a name"},
       {11, "7,method,3,,,,,rk4,", "my.log:11: field 3: found '3', allowed nothing"},
+      {11, "7,drag,,-1,,,,,", "my.log:11: fx: found '-1', allowed a finite number from 0"},
+      {11, "7,drag,,1,2,,,,", "my.log:11: field 5: found '2', allowed nothing"},
+      {11, "7,tolerance,,0,,,,,", "my.log:11: fx: found '0', allowed a finite number above 0"},
+      {11, "7,bend,,200,,,,,", "my.log:11: fy: found '', allowed a finite number"},
       {12, "7,step,,,,,,,-0.1", "my.log:12: dt: found '-0.1', allowed a finite number above 0"},
       {13, "6,step,,,,,,,0.1", "my.log:13: tick: found '6', allowed a whole number from 7"},
   };

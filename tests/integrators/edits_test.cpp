@@ -70,6 +70,62 @@ TEST(Edits, ARestoredMomentGoesOnWithTheSameBits) {
   }
 }
 
+Scene otherWorld() {
+  Scene other = tickingSheet();
+  other.structural = {2000, 0.3}, other.bend = {10, 0};
+  other.gravity = {1, -5, 2}, other.drag = 0.02, other.tolerance = 1e-5;
+  return other;
+}
+
+TEST(Edits, AnotherWorldActsFromTheNextTickOnAndIsLoggedOnce) {
+  for (const Method& method : methods()) {
+    Simulation simulation(tickingSheet(), method), plain(tickingSheet(), method);
+    tick(simulation, 10), tick(plain, 10);
+    const std::uint64_t before = simulation.hash();
+    simulation.useWorld(otherWorld());
+    EXPECT_EQ(simulation.hash(), before) << method.name;
+    EXPECT_EQ(simulation.log().events.size(), 5U) << method.name;
+    simulation.useWorld(otherWorld());
+    EXPECT_EQ(simulation.log().events.size(), 5U) << method.name;
+    tick(simulation, 5), tick(plain, 5);
+    EXPECT_NE(simulation.hash(), plain.hash()) << method.name;
+    EXPECT_EQ(simulation.status(), Status::Ok) << method.name;
+    EXPECT_EQ(simulation.startScene().gravity, tickingSheet().gravity);
+    EXPECT_EQ(simulation.scene().gravity, otherWorld().gravity);
+  }
+}
+
+TEST(Edits, AMomentBeforeAnotherWorldComesBackWithItsOwn) {
+  for (const Method& method : methods()) {
+    Simulation simulation(tickingSheet(), method);
+    tick(simulation, 10);
+    const Snapshot moment = simulation.save();
+    tick(simulation, 20);
+    const std::uint64_t plain = simulation.hash();
+    simulation.restore(moment);
+    simulation.useWorld(otherWorld());
+    tick(simulation, 20);
+    simulation.restore(moment);
+    EXPECT_EQ(simulation.scene(), simulation.startScene());
+    tick(simulation, 20);
+    EXPECT_EQ(simulation.hash(), plain) << method.name;
+  }
+}
+
+TEST(Edits, TheLedgerStaysBalancedWhenTheWorldChanges) {
+  Simulation simulation(tickingSheet(), findMethod("rk4"), {.ledger = true});
+  tick(simulation, 20);
+  simulation.useWorld(otherWorld());
+  constexpr double kRounding = 1e-12;
+  const double drift = simulation.ledger().drift;
+  simulation.useWorld(tickingSheet());
+  simulation.useWorld(otherWorld());
+  EXPECT_NEAR(simulation.ledger().drift, drift, kRounding);
+  tick(simulation, 100);
+  constexpr double kOfTheMethod = 1e-4;  // what rk4 loses with this step
+  EXPECT_LT(std::abs(simulation.ledger().drift), kOfTheMethod);
+}
+
 TEST(Edits, AReplayedLogGivesTheSameBits) {
   for (const Method& method : methods()) {
     Scene scene = tickingSheet();
@@ -82,6 +138,8 @@ TEST(Edits, AReplayedLogGivesTheSameBits) {
     live.push(3, {0, 0, -5}, 4);
     live.useStep(0.0031);
     tick(live, 20);
+    live.useWorld(otherWorld());
+    tick(live, 3);
     live.useMethod(findMethod("leapfrog"));
     tick(live, 20);
     live.useMethod(method);
@@ -89,7 +147,7 @@ TEST(Edits, AReplayedLogGivesTheSameBits) {
     tick(live, 10);
 
     const PushLog log = parsePushLog(formatPushLog(live.log()), "log");
-    EXPECT_EQ(log.ticks, 65);
+    EXPECT_EQ(log.ticks, 68);
     Simulation again(scene, method);
     again.replay(log, methods());
     for (std::int64_t n = 0; n < log.ticks; ++n) again.tick();

@@ -56,11 +56,12 @@ class ControlPanel final : public Panel {
     Scene wanted = draft_.value_or(viewer.scene());
     drawScene(scope, wanted);
     drawEdits(scope, wanted);
+    heading("Motion", "changes at once");
     drawStepping(scope, wanted);
-    heading("Cloth", "a change starts it anew");
-    drawSheet(scope, wanted);
     drawSprings(scope, wanted);
     drawWorld(scope, wanted);
+    heading("Sheet", "a change starts it anew");
+    drawSheet(scope, wanted);
     take(viewer, wanted);
   }
 
@@ -87,7 +88,6 @@ class ControlPanel final : public Panel {
   }
 
   static void drawStepping(const PanelScope& scope, Scene& wanted) {
-    heading("Method", "changes at once");
     name("method", scope.size);
     if (ImGui::BeginCombo("##method", wanted.integrator.c_str(), ImGuiComboFlags_HeightLarge)) {
       for (const Method& method : methods()) {
@@ -101,6 +101,7 @@ class ControlPanel final : public Panel {
       wanted.dt = std::clamp(wanted.dt, kShortestMs * 1e-3, kLongestMs * 1e-3);
     }
     drawStepMargin(scope);
+    drawTolerance(scope, wanted);
     drawPush(scope);
   }
 
@@ -139,6 +140,13 @@ class ControlPanel final : public Panel {
     ImGui::TextColored(ink, "%.2f of the limit of %.3g ms", margin.share(), 1e3 * margin.limit);
   }
 
+  static void drawTolerance(const PanelScope& scope, Scene& wanted) {
+    if (!findMethod(wanted.integrator).adaptive) return;
+    name("tolerance", scope.size);
+    if (!slider("##tolerance", wanted.tolerance, 1e3, {kFinestMm, kCoarsestMm}, "%.3g mm")) return;
+    wanted.tolerance = std::max(wanted.tolerance, kFinestMm * 1e-3);
+  }
+
   static void drawPush(const PanelScope& scope) {
     name("push", scope.size);
     const double usual = scope.viewer.pushNewtons() / scope.viewer.pushFactor();
@@ -160,11 +168,10 @@ class ControlPanel final : public Panel {
     if (ImGui::Combo("##precision", &precision, kPrecisions.data(), int(kPrecisions.size()))) {
       wanted.precision = static_cast<Precision>(precision);
     }
-    if (!findMethod(wanted.integrator).adaptive) return;
-    name("tolerance", scope.size);
-    if (slider("##tolerance", wanted.tolerance, 1e3, {kFinestMm, kCoarsestMm}, "%.3g mm")) {
-      wanted.tolerance = std::max(wanted.tolerance, kFinestMm * 1e-3);
-    }
+    name("damping", scope.size);
+    constexpr std::array kLaws{"of relative velocity", "along the spring"};
+    int law = static_cast<int>(wanted.damping);
+    if (ImGui::Combo("##law", &law, kLaws.data(), int(kLaws.size()))) wanted.damping = static_cast<Damping>(law);
   }
 
   void resize(Viewer& viewer, Scene& wanted) {
@@ -189,10 +196,6 @@ class ControlPanel final : public Panel {
     }
     family("structural", wanted.structural), family("shear", wanted.shear), family("bend", wanted.bend);
     ImGui::EndTable();
-    name("damping", scope.size);
-    constexpr std::array kLaws{"of relative velocity", "along the spring"};
-    int law = static_cast<int>(wanted.damping);
-    if (ImGui::Combo("##law", &law, kLaws.data(), int(kLaws.size()))) wanted.damping = static_cast<Damping>(law);
   }
 
   static void family(const char* text, SpringFamily& springs) {
