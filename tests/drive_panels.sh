@@ -65,7 +65,7 @@ until_true "and step" has_step 0.002
 
 # A click beside the cloth pushes the middle particle, whose number tells the size of the sheet.
 picks 210 || fail "the middle of 20x20 particles is 210, not $picked"
-point 170 325
+point 170 527
 xdotool click --repeat 2 --delay 50 1
 few_frames
 xdotool type --delay 150 10
@@ -101,7 +101,7 @@ for ending in png toml csv; do [[ -s tyg-flag-1.$ending ]] || fail "Y kept no ty
 "$tyg" run tyg-flag-1.toml --replay tyg-flag-1.csv >/dev/null || fail "nor does it on the kept scene"
 
 # What is recorded is the scene as it was edited.
-point 170 325
+point 170 527
 xdotool click --repeat 2 --delay 50 1
 few_frames
 xdotool type --delay 150 12
@@ -110,6 +110,11 @@ hold Return
 until_true "another sheet waits at its start" in_state waiting
 press space
 until_true "the edited flag flies" later_than 0.1
+# What acts at once, the drag of the air, is part of the record.
+click 240 468
+look
+in_state running || fail "a change of the drag stopped the cloth"
+until_true "it flies on" later_than "$(awk "BEGIN { print $sim_s + 0.1 }")"
 
 [[ ! -e $XDG_STATE_HOME/tyg/hints ]] || fail "hints were shown although there is a log"
 press Escape
@@ -117,5 +122,6 @@ few_frames
 press Escape
 wait_for_end "Escape"
 grep -q '^# columns = 12' "$record" || fail "the record is not that of the edited scene"
+grep -q '^[0-9]*,drag,' "$record" || fail "the record misses the drag"
 "$tyg" run --replay "$record" >/dev/null || fail "the record of an edited scene does not replay to the same bits"
 echo "the panels do what is done to them"
