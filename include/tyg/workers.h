@@ -8,7 +8,7 @@ namespace tyg {
 /// Threads that wait for work without spinning for long, so that idle workers do not slow the others down.
 class Workers {
  public:
-  /// `threads` >= 1, the calling one included.
+  /// `threads` >= 1, the calling one included. Where the system gives fewer, there are fewer: see threads().
   explicit Workers(int threads);
   ~Workers();
   Workers(const Workers&) = delete;

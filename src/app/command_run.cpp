@@ -97,7 +97,6 @@ Scene fitted(Scene scene, const SceneOptions& options, const PushLog& log) {
   scene.precision = log.precision;
   scene.integrator = findMethod(log.integrator).name;
   scene.dt = log.dt;
-  scene.duration = static_cast<double>(log.ticks) * log.dt;
   return scene;
 }
 
@@ -109,7 +108,7 @@ class Run {
         simulation_(scene, findMethod(scene.integrator), settingsOf(options)),
         progress_("tyg run " + scene.name) {
     simulation_.observe([this] {
-      progress_.show(simulation_.time() / simulation_.scene().duration);
+      progress_.show(fractionDone());
       return !interrupted();
     });
   }
@@ -127,8 +126,9 @@ class Run {
   }
 
   void replay(const PushLog& log) {
+    replayedTicks_ = log.ticks;
     simulation_.replay(log, methods());
-    while (simulation_.ticks() < log.ticks && goesOn()) timed([&] { simulation_.tick(); });
+    for (std::int64_t tick = 0; tick < log.ticks && goesOn(); ++tick) timed([&] { simulation_.tick(); });
     simulation_.check();
     progress_.finish();
   }
@@ -140,6 +140,10 @@ class Run {
  private:
   static Settings settingsOf(const RunOptions& options) {
     return {.threads = options.scene.threads.value_or(0), .ledger = options.ledger, .keepGoing = options.keepGoing};
+  }
+  [[nodiscard]] double fractionDone() const {
+    if (replayedTicks_ > 0) return double(simulation_.ticks()) / double(replayedTicks_);
+    return simulation_.time() / simulation_.scene().duration;
   }
   [[nodiscard]] bool goesOn() const { return !failed() && !interrupted(); }
 
@@ -154,6 +158,7 @@ class Run {
   InterruptWatch watch_;
   Simulation simulation_;
   double seconds_ = 0;
+  std::int64_t replayedTicks_ = 0;  // 0: the scene's duration is what there is to do
   Progress progress_;
 };
 

@@ -77,6 +77,46 @@ std::string firstToFail(const Scene& scene, const StepLimit& limit) {
   return "the motion that fails first: " + describe(scene, limit);
 }
 
+/// A tolerance lets waves tremble by as much: a thousandth of the spacing is a tremble that no alarm sees.
+std::string toleranceAdvice(const Simulation& simulation, double limit) {
+  const Scene& scene = simulation.scene();
+  const std::string fixed =
+      limit > 0
+          ? formatted("Steps of %.4g s would hold at rest, and a tolerance of %.2g m is too loose to keep to them; ",
+                      limit, scene.tolerance) +
+                firstToFail(scene, stepLimit(scene, simulation.method(), true)) + ". "
+          : "";
+  return fixed + formatted("Try --tolerance %.2g.", std::min(scene.tolerance / 10, 1e-3 * scene.spacing));
+}
+
+/// Where an adaptive method's steps left the numbers whole, they became too short.
+bool cameToAStand(const FinishedRun& run) {
+  const Simulation& simulation = run.simulation;
+  return simulation.method().adaptive && simulation.scene().tolerance > 0 && simulation.status() == Status::NotFinite &&
+         std::isfinite(run.ledger.kinetic + run.ledger.elastic);
+}
+
+std::string standAdvice(const Simulation& simulation) {
+  return formatted(
+      "%s came to a stand at t = %.6g s: the steps that keep its tolerance of %.6g m became so short that "
+      "the run would not end. Try a larger --tolerance%s.",
+      name(simulation.method()).c_str(), simulation.alarmTime(), simulation.scene().tolerance,
+      simulation.scene().precision == Precision::Float ? ", or --precision double" : "");
+}
+
+/// No deformation allows so much less than the limit at rest.
+bool roundingDecides(const Scene& scene, double step, double limit) {
+  constexpr double kFarBelow = 1e-3;
+  return scene.precision == Precision::Float && std::isfinite(limit) && step < kFarBelow * limit;
+}
+
+std::string roundingAdvice(double limit) {
+  return formatted(
+      "The predicted limit at rest is %.4g s: so far below it a step moves a particle by little more than the rounding "
+      "of float. Try --precision double, or --dt %.2g.",
+      limit, roundedDown(0.1 * limit));
+}
+
 }  // namespace
 
 std::string hashText(const Simulation& simulation) {
@@ -165,19 +205,10 @@ std::string failureAdvice(const FinishedRun& run) {
       formatted("%s with steps of %.6g s %s at t = %.6g s. ", name(method).c_str(), step,
                 finite ? "became unstable (the cloth gained energy by itself)" : "left the range of the numbers",
                 simulation.alarmTime());
-  const double tolerance = simulation.scene().tolerance;
-  if (method.adaptive && tolerance > 0) {
-    // A tolerance lets waves tremble by as much: a thousandth of the spacing is a tremble that no alarm sees.
-    const double tighter = std::min(tolerance / 10, 1e-3 * simulation.scene().spacing);
-    const std::string fixed =
-        limit > 0
-            ? formatted("Steps of %.4g s would hold at rest, and a tolerance of %.2g m is too loose to keep to them; ",
-                        limit, tolerance) +
-                  firstToFail(simulation.scene(), stepLimit(simulation.scene(), method, true)) + ". "
-            : "";
-    return what + fixed + formatted("Try --tolerance %.2g.", tighter);
-  }
+  if (cameToAStand(run)) return standAdvice(simulation);
+  if (method.adaptive && simulation.scene().tolerance > 0) return what + toleranceAdvice(simulation, limit);
   if (std::isnan(limit)) return what + formatted("No limit is predicted for it. Try --dt %.2g.", roundedDown(step / 2));
+  if (roundingDecides(simulation.scene(), step, limit)) return what + roundingAdvice(limit);
   const StepLimit said = stepLimit(simulation.scene(), method, true);
   if (limit >= step) {
     const bool certified = said.certified > 0 && said.certified < step;

@@ -17,13 +17,6 @@ double hundredthStretch(const Scene& scene, const Sheet& sheet) {
          ofFamily(scene.bend, Family::Bend);
 }
 
-/// A first-order method in free fall is ahead of the truth by n/2 of these after n steps, with nothing else to compare
-/// it to while n is small: five of them keep the alarm quiet over the first steps, and are nothing later.
-double firstSteps(const Scene& scene, const Sheet& sheet) {
-  const Vec3& g = scene.gravity;
-  return 5 * sheet.count() * sheet.particleMass * (g.x * g.x + g.y * g.y + g.z * g.z) * scene.dt * scene.dt;
-}
-
 }  // namespace
 
 void Alarm::lose(double power, double time) {
@@ -32,23 +25,26 @@ void Alarm::lose(double power, double time) {
   lossIsPresent_ = true;
 }
 
-void Alarm::Sum::take(double value, double scale, bool first) {
+void Alarm::expect(double forcing, double h) { firstSteps_ = std::max(firstSteps_, 5 * forcing * h * h); }
+
+void Alarm::Sum::take(double value, double large, bool first) {
   lowest = first ? value : std::min(lowest, value);
-  largestRise = std::max(largestRise, (value - lowest) / scale);
+  if (value > lowest) largestRise = std::max(largestRise, (value - lowest) / large);
 }
 
 Status Alarm::look(const StoredEnergy& energy, double work) {
   const double stored = energy.kinetic + energy.elastic + energy.gravitational - work;
   if (!std::isfinite(stored + lost_)) return Status::NotFinite;
   largest_ = std::max({largest_, std::abs(energy.gravitational), std::abs(work)});
-  stored_.take(stored, scale(), !looked_);
-  if (lossIsPresent_) balance_.take(stored + lost_, scale(), !looked_);
+  const double large = scale() + firstSteps_;
+  stored_.take(stored, large, !looked_);
+  if (lossIsPresent_) balance_.take(stored + lost_, large, !looked_);
   looked_ = true, lossIsPresent_ = false;
   return std::max(storedRise(), balanceRise()) > kThreshold ? Status::Unstable : Status::Ok;
 }
 
 Alarm makeAlarm(const Scene& scene, const Sheet& sheet, const StoredEnergy& start) {
-  return {hundredthStretch(scene, sheet) + firstSteps(scene, sheet), start.kinetic + start.elastic};
+  return {hundredthStretch(scene, sheet), start.kinetic + start.elastic};
 }
 
 }  // namespace tyg

@@ -28,9 +28,9 @@ struct Run {
   explicit Run(const Alarm& quietAlarm) : alarm(quietAlarm) {}
 
   const Method* method = nullptr;
-  double time = 0, dt = 0, largestStep = 0;
+  double time = 0, dt = 0, largestStep = 0;  // s
   std::int64_t ticks = 0, steps = 0;
-  double tickBaseTime = 0;  // tick k begins at tickBaseTime + (k - tickBase) * dt
+  double tickBaseTime = 0;  // s; tick k begins at tickBaseTime + (k - tickBase) * dt
   std::int64_t tickBase = 0;
 
   std::vector<TimedPush> pushes;
@@ -38,6 +38,7 @@ struct Run {
 
   Alarm alarm;
   Status status = Status::Ok;
+  bool stuck = false;  // its steps have become too short to go on, alarm or not
   double alarmTime = std::numeric_limits<double>::quiet_NaN();
   double maxStretch = 0;
   double startHeight = 0;  // J, gravitational energy of the start shape

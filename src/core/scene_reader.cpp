@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <system_error>
 
@@ -130,9 +131,10 @@ std::string readFile(const std::string& path) {
   if (std::filesystem::is_directory(path, error)) refuse("it is a folder");
   std::ifstream in(path, std::ios::binary);
   if (!in) refuse(std::generic_category().message(errno));
-  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (in.bad()) refuse("reading failed");
-  return text;
+  std::ostringstream text;
+  if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();  // nothing to copy would count as a failure
+  if (in.bad() || !text) refuse("reading failed");
+  return text.str();
 }
 
 }  // namespace

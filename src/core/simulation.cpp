@@ -109,7 +109,7 @@ Ledger Simulation::ledger() {
   ledger.storedRise = run.alarm.storedRise();
   ledger.balanceRise = run.alarm.balanceRise();
   ledger.maxStretch = run.maxStretch;
-  if (run.ledger) ledger.drift = (body_->ledgerSum(energy) - run.startSum) / ledger.scale;
+  if (run.ledger && ledger.scale > 0) ledger.drift = (body_->ledgerSum(energy) - run.startSum) / ledger.scale;
   return ledger;
 }
 
@@ -123,7 +123,9 @@ Snapshot Simulation::save() const {
   Snapshot snapshot;
   snapshot.time_ = time();
   snapshot.ticks_ = ticks();
-  snapshot.bytes_ = saved->moment->bytes() + saved->run.log.events.size() * sizeof(LogEvent);
+  const Run& run = saved->run;
+  snapshot.bytes_ = saved->moment->bytes() + run.log.sceneText.size() + run.pushes.size() * sizeof(TimedPush) +
+                    (run.log.events.size() + run.script.size()) * sizeof(LogEvent);
   snapshot.body_ = std::move(saved);
   return snapshot;
 }

@@ -34,6 +34,8 @@ struct Simulation::Body {
   std::span<const Method> replayMethods;
   std::function<bool()> observer;
   bool stopAsked = false;
+  bool finishing = false;  // a tick that is done whole whoever asks to stop
+  double forcing = 0;      // J/s2, see Alarm::expect
 
   Body(Scene wanted, const Method& method, const Settings& asked)
       : scene(std::move(wanted)),
@@ -59,6 +61,7 @@ struct Simulation::Body {
       r.pushes.push_back(timed);
     }
     r.log = beginLog(scene, method.name);
+    applyPushes();
     look();
   }
 
@@ -96,7 +99,9 @@ struct Simulation::Body {
     return energy;
   }
 
-  [[nodiscard]] bool standing() const { return stopAsked || (run().status != Status::Ok && !settings.keepGoing); }
+  [[nodiscard]] bool standing() const {
+    return (stopAsked && !finishing) || run().stuck || (run().status != Status::Ok && !settings.keepGoing);
+  }
 
   /// Accounts for `steps` steps of h that ended at `timeAfter`; they must not pass over a look.
   void count(double h, int steps, double timeAfter) {
@@ -104,6 +109,7 @@ struct Simulation::Body {
     r.time = timeAfter;
     r.largestStep = std::max(r.largestStep, h);
     r.steps += steps;
+    r.alarm.expect(forcing, h);
     if (r.steps % kStepsBetweenLooks == 0) {
       r.alarm.lose(keepsTheBalance() ? moving->lossPower() : 0, r.time);
       look();
@@ -150,11 +156,16 @@ struct Simulation::Body {
     std::erase_if(r.pushes, [&](const TimedPush& push) { return push.byHand && push.endTick <= r.ticks; });
   }
 
-  void applyPushes() const {
+  void applyPushes() {
     moving->clearPushes();
+    const double mass = sheet.particleMass;
+    double root = std::sqrt(sheet.count() * mass * dot(scene.gravity, scene.gravity));
     for (const TimedPush& push : run().pushes) {
-      if (push.acting) moving->addPush(push.particle, push.force);
+      if (!push.acting) continue;
+      moving->addPush(push.particle, push.force);
+      root += std::sqrt(dot(push.force, push.force) / mass);  // a sum of vectors is no longer than their lengths
     }
+    forcing = root * root;
   }
 
   /// The first edge of a scene's push after now, or `end` where none comes before it.
@@ -181,6 +192,15 @@ struct Simulation::Body {
   /// Whether the method chooses its own steps. With tolerance 0 an adaptive method takes those of dt, for studies.
   [[nodiscard]] bool stepsFreely() const { return run().method->adaptive && scene.tolerance > 0; }
 
+  /// For a method whose steps have become so short that the run would not end: its tolerance is below what rounding
+  /// leaves of the numbers.
+  void giveUp() {
+    Run& r = run();
+    if (r.status == Status::Ok) r.alarmTime = r.time;
+    r.status = Status::NotFinite;
+    r.stuck = true;
+  }
+
   /// Equal steps of at most dt to the next stop, or steps of the method's own choice.
   void advanceSegment(double stop) {
     Run& r = run();
@@ -189,6 +209,7 @@ struct Simulation::Body {
       while (!standing() && r.time < stop) {
         const double most = stop - r.time, taken = moving->stepWithin(most, scene.tolerance);
         count(taken, 1, taken == most ? stop : r.time + taken);
+        if (most > kMostSteps * taken) giveUp();
       }
       return;
     }
@@ -212,6 +233,7 @@ struct Simulation::Body {
 
   void tick() {
     // Of steps of the method's own choice there may be millions in a tick: it is done whole or, stopped, not at all.
+    // The few of dt that a push's edge leaves in a tick are all done.
     std::optional<Saved> before;
     if (observer && stepsFreely()) before = save();
     playScript();
@@ -220,7 +242,9 @@ struct Simulation::Body {
       switchPushes();
       walk(1, run().dt, end);
     } else {
+      finishing = !stepsFreely();
       advance(end);
+      finishing = false;
     }
     if (before && stopAsked && run().time < end - sameTime()) return restore(*before);
     run().log.ticks = ++run().ticks;
@@ -241,7 +265,7 @@ struct Simulation::Body {
     run() = saved.run;
     moving->restore(*saved.moment);
     applyPushes();
-    followLedger(settings.ledger);
+    if (run().ledger != settings.ledger) followLedger(settings.ledger);
   }
 
   /// How many of the next ticks, up to `most`, are one step each with nothing beginning or ending after the first.

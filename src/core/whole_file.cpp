@@ -28,12 +28,13 @@ std::string lastSystemError() { return std::generic_category().message(errno); }
 
 fs::path folderOf(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
-/// A symbolic link stays a link: what it points to is replaced.
+/// A symbolic link stays a link: what it points to is replaced, or made where it is not there yet.
 fs::path behindLink(fs::path path) {
-  std::error_code ignored;
-  if (!fs::is_symlink(path, ignored)) return path;
-  const fs::path target = fs::canonical(path, ignored);
-  return ignored ? path : target;
+  constexpr int kMostLinks = 40;  // one behind the other, as for the system
+  std::error_code none;
+  for (int k = 0; k < kMostLinks && fs::is_symlink(path, none); ++k)
+    path = folderOf(path) / fs::read_symlink(path, none);
+  return path;
 }
 
 /// The name does not grow with the file's own, which may already be as long as the system allows.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -35,48 +36,55 @@ struct Workers::Pool {
   std::atomic<unsigned> generation{0};
   std::atomic<int> unfinished{0};
   std::atomic<bool> ending{false};
+  int bands = 1;  // of a job, one for every thread; set before the first job
   int spins = 0;  // none where threads share cores: a spinning one would only keep a working one waiting
   std::vector<std::jthread> threads;
 
-  void doBand(int thread, int count) const {
-    const auto edge = [&](int k) { return int(static_cast<long long>(job.rows) * k / count); };
+  ~Pool() {
+    ending = true;
+    ++generation;
+    generation.notify_all();
+  }
+
+  void doBand(int thread) const {
+    const auto edge = [&](int k) { return int(static_cast<long long>(job.rows) * k / bands); };
     job.call(job.work, edge(thread), edge(thread + 1), thread);
   }
 
-  void serve(int thread, int count) {
+  void serve(int thread) {
     unsigned seen = 0;
     while (true) {
       awaitChange(generation, seen, spins);
       ++seen;
       if (ending.load(std::memory_order_relaxed)) return;
-      doBand(thread, count);
+      doBand(thread);
       if (unfinished.fetch_sub(1, std::memory_order_acq_rel) == 1) unfinished.notify_one();
     }
   }
 };
 
-Workers::Workers(int threads) : threads_(std::max(1, threads)) {
-  if (threads_ == 1) return;
+Workers::Workers(int threads) : threads_(1) {
+  if (threads <= 1) return;
   pool_ = std::make_unique<Pool>();
-  pool_->spins = threads_ <= int(std::thread::hardware_concurrency()) ? kSpins : 0;
-  for (int k = 1; k < threads_; ++k) {
-    pool_->threads.emplace_back([pool = pool_.get(), k, count = threads_] { pool->serve(k, count); });
+  pool_->spins = threads <= int(std::thread::hardware_concurrency()) ? kSpins : 0;
+  try {
+    for (; threads_ < threads; ++threads_) {
+      pool_->threads.emplace_back([pool = pool_.get(), k = threads_] { pool->serve(k); });
+    }
+  } catch (const std::system_error&) {
+    // The system gives no more: those that there are do the same work, to the same bits.
   }
+  pool_->bands = threads_;
 }
 
-Workers::~Workers() {
-  if (!pool_) return;
-  pool_->ending = true;
-  ++pool_->generation;
-  pool_->generation.notify_all();
-}
+Workers::~Workers() = default;
 
 void Workers::share(const Job& job) {
   pool_->job = job;
   pool_->unfinished.store(threads_ - 1, std::memory_order_relaxed);
   pool_->generation.fetch_add(1, std::memory_order_release);
   pool_->generation.notify_all();
-  pool_->doBand(0, threads_);
+  pool_->doBand(0);
   for (int left = pool_->unfinished.load(std::memory_order_acquire); left > 0;
        left = pool_->unfinished.load(std::memory_order_acquire)) {
     awaitChange(pool_->unfinished, left, pool_->spins);

@@ -16,9 +16,9 @@ enum class Cost { Seconds, Evaluations };
 struct Price {
   std::string integrator;
   Precision precision = Precision::Double;
-  double cost = 0;  ///< s of the clock, or force evaluations, for the whole run
-  double dt = 0;    ///< s, largest step of the row
-  double tolerance = 0;
+  double cost = 0;       ///< s of the clock, or force evaluations, for the whole run
+  double dt = 0;         ///< s, largest step of the row
+  double tolerance = 0;  ///< m, of the row; 0 for methods with steps of dt
 };
 
 /// The cheapest row of each method and precision whose error, E and floor together, is at most `error` (m), cheapest

@@ -42,7 +42,7 @@ std::string readAll(int file) {
   }
 }
 
-std::string joined(const std::vector<std::string>& definitions) {
+std::string statements(const std::vector<std::string>& definitions) {
   std::string text;
   for (const std::string& definition : definitions) text += definition + ";";
   return text;
@@ -60,7 +60,7 @@ bool endedWell(pid_t child) {
 
 GnuplotOutcome runGnuplot(const std::filesystem::path& folder, const std::string& script,
                           const std::vector<std::string>& definitions) {
-  std::array<std::string, 4> words{"gnuplot", "-e", joined(definitions), script};
+  std::array<std::string, 4> words{"gnuplot", "-e", statements(definitions), script};
   std::array<char*, 5> arguments{words[0].data(), words[1].data(), words[2].data(), words[3].data(), nullptr};
 
   std::array<int, 2> ends{};

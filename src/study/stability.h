@@ -41,10 +41,11 @@ struct StepLimit {
 /// lattice's.
 StepLimit stepLimit(const Scene& scene, const Method& method, bool quick = false);
 
-/// What the first failing motion looks like: `checkerboard`, `stripes across columns`, `stripes across rows`,
-/// `stripes across rows or columns`, `diagonal ripples`, ...; `none` where nothing fails.
+/// What the first failing motion looks like: `checkerboard`, `column stripes`, `row stripes`, `stripes` where it may be
+/// either, `rippled stripes`, `diagonal ripples`, `the whole sheet`, and in a chain `each against the next` or
+/// `ripples`; `none` where nothing fails.
 std::string appearanceOf(const Scene& scene, const StepLimit& limit);
-/// The same with the wave vector, the plane and the cause: `stripes across columns, in the plane, q = (3.14, 0), by
+/// The same with the plane, the wave vector and the cause: `column stripes in plane, q = (3.14, 0.00), set by
 /// stiffness`.
 std::string describe(const Scene& scene, const StepLimit& limit);
 /// Why a method has no limit of its own; empty where it has one.

@@ -20,6 +20,7 @@ constexpr int kPanelsAcross = 3;
 constexpr const char* kInk = "#222222";
 constexpr const char* kGrey = "#666666";
 constexpr const char* kRegion = "#d9e6f2";
+constexpr const char* kFrame = "  set border 3 lc '#444444' lw 1.5\n  set tics out nomirror textcolor '#222222'\n";
 
 struct Quantity {
   const char* words;
@@ -67,8 +68,7 @@ class Script {
          << " dynamic enhanced background '#ffffff' font 'DejaVu Sans,23' } else { set terminal pngcairo size "
          << kWidth << "," << height_ << " enhanced background '#ffffff' font 'DejaVu Sans,17' }\n"
          << "  set output kind eq 'svg' ? svg : png\n  set multiplot\n"
-         << "  set border 3 lc '#444444' lw 1.5\n  set tics out nomirror textcolor '" << kInk << "'\n"
-         << "  set grid lt 1 lc '#dddddd' lw 1\n  unset key\n";
+         << kFrame << "  set grid lt 1 lc '#dddddd' lw 1\n  unset key\n";
     limits();
     for (std::size_t k = 0; k < panels_.size(); ++k) panel(k);
     out_ << "  unset multiplot\n  unset output\n}\n";
@@ -161,6 +161,7 @@ class Script {
       pen_->point({kAt.at(q) + 12, 150}, quantity.type, quantity.size, chartColour(quantity.colour));
       pen_->text(quantity.words, {kAt.at(q) + 34, 150}, {.colour = kInk, .scale = 0.9});
     }
+    if (rows_.empty()) return noLimits();
     const double top = kHead + kLegend / 2;
     margins(kLeft, kWidth - kRight, top, top + kRow * double(rows_.size()) + 10);
     out_ << "  set logscale x\n  set format x '%g'\n  set xlabel 'step, ms' offset 0,0.3\n  set yrange ["
@@ -178,6 +179,12 @@ class Script {
            << quantity.size << " lw 2.5 lc rgb '" << chartColour(quantity.colour) << "'";
     }
     out_ << "\n  unset arrow\n  unset label\n  unset logscale x\n  set offsets 0,0,0,0\n  set ytics autofreq\n";
+  }
+
+  /// In place of the rows, and in a plot of nothing: gnuplot draws texts with a plot alone.
+  void noLimits() {
+    pen_->text("none: no step is known beyond which these methods fail", {60, kHead + kLegend}, {.colour = kInk});
+    out_ << "  unset border\n  unset tics\n  plot [0:1] [0:1] NaN\n  unset label\n" << kFrame;
   }
 
   void panel(std::size_t k) {

@@ -9,6 +9,7 @@
 #include "integrators/chebyshev.h"
 #include "study/measured_limit.h"
 #include "study/stability_study.h"
+#include "study/work_rows.h"
 
 namespace tyg {
 namespace {
@@ -140,7 +141,7 @@ std::vector<std::string> notesOn(const StabilityStudy& study) {
 std::string stabilityCsv(const StabilityStudy& study) {
   std::string csv = "scene,integrator,damping,predicted_dt,certified_dt,measured_dt,first_mode\n";
   const auto add = [&](const std::string& scene, const StabilityCase& entry, double measured) {
-    csv += scene + "," + name(entry) + "," + dampingOf(entry) + "," + field(entry.limit.predicted) + "," +
+    csv += csvField(scene) + "," + name(entry) + "," + dampingOf(entry) + "," + field(entry.limit.predicted) + "," +
            field(entry.limit.certified) + "," + field(measured) + "," + firstMode(study, entry) + "\n";
   };
   for (const StabilityCase& entry : study.cases) {

@@ -63,7 +63,9 @@ StabilityStudy studyStability(const Scene& scene, const StabilityPlan& plan) {
         measure(entry, chosen, plan, observer);
         study.cases.push_back(entry);
       } catch (const InputError& refusal) {
-        study.refusals.emplace_back(refusal.what());
+        if (std::ranges::find(study.refusals, refusal.what()) == study.refusals.end()) {
+          study.refusals.emplace_back(refusal.what());
+        }
       }
       ++done;
     }

@@ -36,7 +36,7 @@ std::vector<ChartedParticle> chartedOnce(const Sheet& sheet, const std::vector<P
   return particles;
 }
 
-std::vector<double> sampleTimes(const Scene& scene) {
+std::vector<double> wholeStepTimes(const Scene& scene) {
   const auto steps = static_cast<std::int64_t>(std::ceil(scene.duration / scene.dt - 1e-9));
   const std::int64_t stride = std::max<std::int64_t>(1, (steps + kTrajectorySamples - 1) / kTrajectorySamples);
   std::vector<double> times;
@@ -120,7 +120,7 @@ TrajectoryStudy followParticles(const Scene& scene, std::vector<ChartedParticle>
                                 const std::vector<const Method*>& methods, int threads,
                                 const std::function<bool(std::size_t run, double time)>& observer) {
   TrajectoryStudy study{.scene = scene, .particles = std::move(particles), .runs = {}};
-  const std::vector<double> times = sampleTimes(scene);
+  const std::vector<double> times = wholeStepTimes(scene);
   bool stopped = false;
   for (std::size_t k = 0; k < methods.size() && !stopped; ++k) {
     Trajectory run{.method = methods[k], .times = {}, .ways = {}};

@@ -43,8 +43,9 @@ struct TrajectoryStudy {
 /// Samples that are enough for a smooth curve.
 inline constexpr int kTrajectorySamples = 1000;
 
-/// Runs the scene by each method and samples at whole steps, at most about kTrajectorySamples times, so that sampling
-/// changes no step. `observer` gets the run's number and its simulated time and may return false to stop everything.
+/// Runs the scene by each method and samples at whole steps of dt, at most about kTrajectorySamples times: sampling
+/// then changes no step, but where a push begins or ends at no multiple of dt and up to the next sample. `observer`
+/// gets the run's number and its simulated time and may return false to stop everything.
 TrajectoryStudy followParticles(const Scene& scene, std::vector<ChartedParticle> particles,
                                 const std::vector<const Method*>& methods, int threads,
                                 const std::function<bool(std::size_t run, double time)>& observer);

@@ -61,6 +61,7 @@ class Script {
 
  private:
   void definitions() {
+    const auto digits = out_.precision(17);  // the duration is compared with the horizons of the rows
     out_ << "# Draws chart.svg and chart.png from rows.csv:  gnuplot chart.gp\n"
             "if (!exists('svg')) svg = 'chart.svg'\n"
             "if (!exists('png')) png = 'chart.png'\n"
@@ -79,6 +80,7 @@ class Script {
             "drift(wanted) = wanted && strcol(16) eq 'ok' && $13 > 0 ? $13 : NaN\n"
             "failure(wanted) = wanted && (strcol(16) eq 'unstable' || strcol(16) eq 'not-finite') ? failed : NaN\n"
             "simulated(all) = strcol(16) eq 'ok' ? all : $8 * $6\n";
+    out_.precision(digits);
   }
 
   void terminals() {

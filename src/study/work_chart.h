@@ -35,9 +35,9 @@ struct WorkChart {
   std::optional<double> comparedDuration;  ///< simulated s of the runs of compare.csv, where there is one
 };
 
-/// The script: draws chart.svg and chart.png from rows.csv (and compare.csv) in its own folder. Left panel: error
+/// The script: draws chart.svg and chart.png from rows.csv (and compare.csv) in its own folder. Upper left panel: error
 /// against seconds of the clock per simulated second; right panel: error against force evaluations per simulated
-/// second.
+/// second; lower left panel: drift of the energy against seconds.
 std::string workChartScript(const WorkChart& chart);
 
 }  // namespace tyg

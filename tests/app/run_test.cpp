@@ -158,6 +158,37 @@ TEST(Run, EnergiesOfAClothThatHasFlownApartAreNotPrintedAndThoseOfOneThatTremble
   EXPECT_TRUE(holds(trembles.out, "kinetic")) << trembles.out;
 }
 
+TEST(Run, ThatRoundingSpoilsIsAdvisedALongerStepOrDouble) {
+  const Outcome outcome = tyg("run spring --precision float --dt 1e-6 --duration 0.05");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_TRUE(holds(outcome.err, "rounding of float. Try --precision double, or --dt 0.0")) << outcome.err;
+}
+
+TEST(Run, ThatATolerancesStepsWouldNeverEndComesToAStand) {
+  for (const char* more : {"", " --keep-going --json"}) {
+    const Outcome outcome = tyg(std::string("run curtain --integrator bs32 --tolerance 1e-300") + more);
+    if (*more == 0) {
+      EXPECT_EQ(outcome.code, 1);
+      EXPECT_TRUE(holds(outcome.err, "bs32 came to a stand at t = ")) << outcome.err;
+      EXPECT_TRUE(holds(outcome.err, "Try a larger --tolerance.")) << outcome.err;
+    } else {
+      EXPECT_EQ(jsonValue(outcome.out, "status"), "\"not-finite\"");
+    }
+  }
+}
+
+/// A gigabyte of addresses is none too many for the stacks of a thousand threads.
+TEST(Run, WithMoreThreadsThanTheSystemGivesUsesThoseThatThereAre) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer needs terabytes of addresses";
+#endif
+  const std::string run = "run curtain --duration 0.02 --json --threads ";
+  const Outcome few = tyg(run + "1000", "ulimit -v 1000000;"), one = tyg(run + "1");
+  EXPECT_EQ(few.code, 0) << few.err;
+  EXPECT_LT(std::stoi(jsonValue(few.out, "threads")), 1000);
+  EXPECT_EQ(jsonValue(few.out, "hash"), jsonValue(one.out, "hash"));
+}
+
 TEST(Run, TheAdvisedStepHolds) {
   const Outcome failed = tyg("run curtain --integrator leapfrog --dt 0.004");
   std::smatch advice;
@@ -313,6 +344,21 @@ TEST(Run, AReplayWithoutASceneUsesTheOneInItsLog) {
   const Outcome other = tyg("run curtain --replay " + file);
   EXPECT_EQ(other.code, 1);
   EXPECT_TRUE(holds(other.err, "without SCENE")) << other.err;
+}
+
+TEST(Run, AReplayOfAMethodThatChoosesItsStepsEndsInTheSameBits) {
+  Scene scene = loadScene("drop");
+  scene.structural = scene.shear = scene.bend = {};  // then the duration sets the first step
+  scene.integrator = "dopri54";
+  scene.pushes = {{Place{"top-left"}, {1, 2, 3}, 0.003, 0.1}};
+  Simulation simulation(scene, findMethod(scene.integrator));
+  simulation.tick(10);
+  PushLog log = simulation.log();
+  log.hash = hashText(simulation);
+  const Folder folder;
+  const Outcome again = tyg("run --json --replay " + folder.write("drop.csv", formatPushLog(log)).string());
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(jsonValue(again.out, "hash"), '"' + log.hash + '"');
 }
 
 TEST(Run, AReplayThatEndsInOtherBitsFails) {

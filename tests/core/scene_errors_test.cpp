@@ -274,6 +274,7 @@ TEST(SceneErrors, SayWhyAFileCannotBeRead) {
   begins(folder + "nowhere.toml", "No such file or directory");
   begins(folder, "it is a folder");
   begins("", "No such file or directory");
+  begins("/proc/self/mem", "reading failed");
 }
 
 TEST(SceneErrors, NameTheFileThatWasLoaded) {

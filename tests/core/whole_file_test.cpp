@@ -49,6 +49,16 @@ TEST(WholeFile, ReplacesWhatALinkPointsToAndKeepsTheLink) {
   EXPECT_EQ(contentsOf(folder / "real.csv"), "new");
 }
 
+TEST(WholeFile, MakesWhatALinkPointsToWhereItIsNotThereYet) {
+  const Folder folder;
+  fs::create_symlink("second.csv", folder / "first.csv");
+  fs::create_symlink("real.csv", folder / "second.csv");
+  writeWholeFile(folder / "first.csv", "new");
+  EXPECT_TRUE(fs::is_symlink(folder / "first.csv"));
+  EXPECT_TRUE(fs::is_symlink(folder / "second.csv"));
+  EXPECT_EQ(contentsOf(folder / "real.csv"), "new");
+}
+
 TEST(WholeFile, CheckingLeavesNoTrace) {
   const Folder folder;
   folder.write("old.csv", "old");

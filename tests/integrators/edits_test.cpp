@@ -179,6 +179,17 @@ TEST(Edits, ATickThatTheObserverStopsHasNotBegun) {
   EXPECT_EQ(simulation.log(), never.log());
 }
 
+TEST(Edits, ATickThatAPushCutsIsDoneWholeWhenTheObserverStops) {
+  Scene scene = tickingSheet();
+  scene.pushes = {{{"middle"}, {0, 0, 1}, 63.5 * scene.dt, 0.1}};  // the look after 64 steps lies inside a tick
+  Simulation simulation(scene, findMethod("leapfrog")), never(scene, findMethod("leapfrog"));
+  simulation.observe([] { return false; });
+  tick(simulation, 100), tick(never, 100);
+  EXPECT_EQ(simulation.time(), 100 * scene.dt);
+  EXPECT_EQ(simulation.steps(), never.steps());
+  EXPECT_EQ(simulation.hash(), never.hash());
+}
+
 TEST(Edits, ALogOfAnotherSheetMethodStepOrPrecisionIsRefused) {
   const Scene scene = tickingSheet();
   const PushLog right = Simulation(scene, findMethod("rk4")).log();
@@ -281,6 +292,13 @@ TEST(Edits, AMomentTakesTheMemoryOfItsStateAtLeastAndGrowsWithTheSheet) {
     EXPECT_GE(small, 6 * sizeof(double) * 30 * 40) << method.name;
     EXPECT_GT(bytesOf(60, 80), 3 * small) << method.name;  // of four times, as rows are padded
   }
+}
+
+TEST(Edits, AMomentTakesTheMemoryOfItsScenesPushesAndTextToo) {
+  Scene scene = tickingSheet();
+  const std::size_t few = Simulation(scene, findMethod("leapfrog")).save().bytes();
+  scene.pushes.resize(1000, {.particle = Place{.name = "middle"}, .force = {0, 1, 0}, .at = 1, .duration = 1});
+  EXPECT_GT(Simulation(scene, findMethod("leapfrog")).save().bytes(), few + 100000);
 }
 
 TEST(Edits, ManyTicksAlarmWhereSingleOnesDo) {

@@ -104,6 +104,29 @@ TEST(Ledger, CanBeFollowedFromTheMiddleOfARunAndAcrossAReturn) {
   }
 }
 
+TEST(Ledger, AfterAReturnTakesWhatItWouldHaveTaken) {
+  Scene scene = busyScene(Damping::Relative);
+  scene.dt = 1.0 / 256;
+  for (const Method& method : methods()) {
+    Simulation simulation(scene, method, {.ledger = true});
+    simulation.tick(50);
+    const Snapshot moment = simulation.save();
+    simulation.tick(20);
+    const double dissipated = simulation.ledger().dissipated;
+    simulation.restore(moment);
+    simulation.tick(20);
+    EXPECT_EQ(simulation.ledger().dissipated, dissipated) << method.name;
+  }
+}
+
+TEST(Ledger, IsAFractionOfWhatTheRunHasSeenWhateverTheStep) {
+  Scene scene = freeFall();
+  scene.dt = 0.5;
+  const Ledger ledger = ledgerAfter(scene, findMethod("explicit-euler"), 1);
+  EXPECT_EQ(ledger.scale, -ledger.gravitational);
+  EXPECT_EQ(ledgerAfter(scene, findMethod("rk4"), 0).drift, 0) << "of nothing at all";
+}
+
 TEST(Ledger, CostsNoBits) {
   const Scene scene = busyScene(Damping::Axial);
   Simulation with(scene, findMethod("rk4"), {.ledger = true}), without(scene, findMethod("rk4"));

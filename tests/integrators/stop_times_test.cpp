@@ -68,6 +68,27 @@ TEST(StopTimes, OfPushesGiveTheExactImpulseWhateverTheStep) {
   }
 }
 
+TEST(StopTimes, ThatNoToleranceWouldEverReachEndTheRunWhereItIs) {
+  for (const char* name : {"bs32", "dopri54"}) {
+    Scene scene = softSheet(Damping::Relative);
+    scene.tolerance = 1e-300;
+    Simulation precise(scene, findMethod(name), {.keepGoing = true});
+    precise.advanceTo(1);
+    EXPECT_LT(precise.time(), 1e-9) << name;
+    EXPECT_EQ(precise.status(), Status::NotFinite) << name;
+    EXPECT_EQ(precise.alarmTime(), precise.time()) << name;
+
+    scene = oscillator(100, 1);
+    scene.columns = scene.rows = 2, scene.pins = {};
+    scene.precision = Precision::Float;
+    scene.tolerance = 1e-4;
+    scene.displacements = {{{"top-left"}, {1e30, 0, 0}}};
+    Simulation far(scene, findMethod(name));
+    far.advanceTo(1);
+    EXPECT_EQ(far.status(), Status::NotFinite) << name;
+  }
+}
+
 TEST(StopTimes, OfSamplesDoNotResetAMethod) {
   Scene scene = softSheet(Damping::Relative);
   scene.dt = 1.0 / 64;

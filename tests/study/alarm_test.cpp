@@ -125,6 +125,31 @@ TEST(Alarm, IsNotRaisedByPushesHoweverStrong) {
   EXPECT_EQ(simulation.status(), Status::Ok);
 }
 
+TEST(Alarm, IsNotRaisedByTheFirstStepsOfAPushWithNothingElseToCompareThemTo) {
+  Scene scene = emptyWorld(1, 1);
+  scene.pushes = {{{"middle"}, {1, 0, 0}, 0, 1}};
+  scene.dt = 0.1;
+  for (const int steps : {1, 2, 3, 5}) {
+    Simulation simulation(scene, findMethod("explicit-euler"));
+    simulation.advanceTo(steps * scene.dt);
+    EXPECT_EQ(simulation.check(), Status::Ok) << steps << " steps";
+  }
+}
+
+TEST(Alarm, OfAMethodThatChoosesItsStepsTakesNoHeedOfAStepThatItDoesNotUse) {
+  Scene scene = curtain(0.1);
+  scene.tolerance = 1e-4;
+  const auto ledger = [&](double dt) {
+    scene.dt = dt;
+    Simulation simulation(scene, findMethod("dopri54"), {.ledger = true});
+    simulation.advanceTo(0.2);
+    return simulation.ledger();
+  };
+  const Ledger small = ledger(0.002), large = ledger(100);
+  EXPECT_EQ(large.drift, small.drift);
+  EXPECT_EQ(large.storedRise, small.storedRise);
+}
+
 TEST(Alarm, IsNotRaisedByLookingOftenAtAFallThatDragSlows) {
   Scene scene = freeFall();
   scene.drag = 20;

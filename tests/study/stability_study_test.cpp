@@ -191,6 +191,24 @@ TEST(StabilityRegion, HoldsTheScenesRootsBelowTheLimitAndNotAllAboveIt) {
   }
 }
 
+TEST(StabilityStudy, SaysARefusalOnceAndQuotesASceneWhoseNameHoldsAComma) {
+  Scene scene = smallCloth(0.1);
+  scene.name = "a,x";
+  StabilityPlan plan;
+  plan.methods = {&findMethod("xpbd")};
+  EXPECT_NE(stabilityCsv(studyStability(scene, plan)).find("\n\"a,x\",xpbd,scene"), std::string::npos);
+  scene.damping = Damping::Axial;
+  scene.structural.kd = 0.1;
+  plan.methods = {&findMethod("imex"), &findMethod("imex")};
+  EXPECT_EQ(studyStability(scene, plan).refusals.size(), 1U);
+}
+
+TEST(StabilityScript, OfMethodsWithoutALimitPlotsNoLimits) {
+  const std::string script = stabilityScript(studied("xpbd"));
+  EXPECT_EQ(script.find("plot $limits"), std::string::npos);
+  EXPECT_NE(script.find("no step is known beyond which"), std::string::npos);
+}
+
 TEST(StabilityScript, HasAPanelForEveryMethodWithARegion) {
   const std::string script = stabilityScript(studied("leapfrog rk4 xpbd"));
   for (const char* part : {"$region0", "$region1", "'leapfrog, undamped'", "set terminal svg", "pngcairo"}) {

@@ -51,6 +51,13 @@ TEST(WorkChart, ShowsAnEarlierFileAndAFinerSheetOnlyWhereThereIsOne) {
   EXPECT_TRUE(holds(workChartScript(chart), "39x39"));
 }
 
+TEST(WorkChart, ComparesHorizonsWithADurationOfAllItsDigits) {
+  WorkChart chart = someChart();
+  chart.duration = 0.6666667;
+  const std::string script = workChartScript(chart), start = "\nduration = ";
+  EXPECT_EQ(std::stod(script.substr(script.find(start) + start.size())), chart.duration);
+}
+
 TEST(WorkChart, TheAxesHoldEveryRowAndRealTime) {
   const WorkChart chart = someChart();
   for (const ChartPanel& panel : chartPanels(chart)) {
