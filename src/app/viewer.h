@@ -87,6 +87,7 @@ class Viewer {
   void onRunEnd(std::function<void(const PushLog&)> keep) { onRunEnd_ = std::move(keep); }
 
   [[nodiscard]] RunState state() const { return state_; }
+  [[nodiscard]] double now() const { return clock_(); }    ///< s, of the clock that it was given
   [[nodiscard]] bool seeking() const { return seeking_; }  ///< on the way to a past moment
   [[nodiscard]] bool leaving() const { return leaving_; }
   [[nodiscard]] bool idle() const;  ///< nothing moves until the next input

@@ -7,7 +7,6 @@
 #include <bit>
 #include <cstdint>
 
-#include "app/calibration_clock.h"
 #include "app/panels/scene_pictures.h"
 #include "app/viewer.h"
 #include "app/wrapped.h"
@@ -44,7 +43,10 @@ class Caption {
 
 class GalleryPanel final : public Panel {
  public:
-  void follow(Viewer& viewer) override { pictures_.work(kWorkSeconds, wallClock, viewer.drawOptions().background); }
+  void follow(Viewer& viewer) override {
+    pictures_.work(
+        kWorkSeconds, [&viewer] { return viewer.now(); }, viewer.drawOptions().background);
+  }
   [[nodiscard]] bool busy() const override { return !pictures_.finished(); }
 
   void draw(const PanelScope& scope) override {

@@ -1,6 +1,5 @@
 // See ghost.h.
 #include "app/ghost.h"
-#include "app/calibration_clock.h"
 
 #include <imgui.h>
 
@@ -40,7 +39,7 @@ class GhostPanel final : public Panel {
     if (live.status() != Status::Ok) return;
     try {
       if (!ghost_) ghost_.emplace(live, second_);
-      ghost_->follow(live, secondsFor(viewer), wallClock);
+      ghost_->follow(live, secondsFor(viewer), [&viewer] { return viewer.now(); });
       if (beside_) shift(viewer);
     } catch (const std::exception& refusal) {  // a method that does not take this scene
       viewer.note(refusal.what());
