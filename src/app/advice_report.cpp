@@ -86,9 +86,9 @@ std::string tenTimesText(const Scene& scene, const Advice& advice) {
     return "not searched for: the exact motion is known only to " + lengthText(advice.knowable);
   const std::string upTo =
       perFrame(advice.tenTimesUpTo, scene.duration) + " a frame, " + timesAsMuch(advice.tenTimesUpTo, advice);
-  return advice.tenTimesGaveUp
-             ? "not found before the search took too long; dearest run allowed:\n              " + upTo
-             : "not found up to " + upTo + "; not searched further";
+  return "not found up to " + upTo +
+         (advice.tenTimesGaveUp ? ";\n              the search took too long"
+                                : ";\n              not searched further");
 }
 
 }  // namespace
@@ -97,7 +97,10 @@ std::string adviceText(const Scene& scene, const Advice& advice) {
   std::string text = scene.title +
                      formatted(": %d x %d particles, %.4g s\n", scene.columns, scene.rows, scene.duration) +
                      "asked for     " + requestText(advice.request) + "\n\n";
-  if (!advice.promise) return text + "Every run of the study failed: nothing can be advised.\n";
+  if (!advice.promise) {
+    return text + (advice.runs > 0 ? "Every run of the study failed: nothing can be advised.\n"
+                                   : "None of the methods allowed takes this scene and may be advised.\n");
+  }
   if (!advice.met) text += "This cannot be met. The nearest that was found:\n";
   text += "use           " + settingText(advice.promise->scene) +
           formatted(", %d thread%s\n", advice.threads, advice.threads == 1 ? "" : "s");
@@ -136,6 +139,8 @@ std::string adviceJson(const Scene& scene, const Advice& advice) {
   json.add("promised_frame_s", frameSeconds(promise.seconds, scene.duration));
   json.add("measured_frame_s", frameSeconds(advice.measured, scene.duration));
   json.add("stable_dt", advice.limit);
+  json.add("knowable_error_m", advice.knowable);
+  json.add("ten_times_better_searched_up_to_frame_s", frameSeconds(advice.tenTimesUpTo, scene.duration));
   json.add("ten_times_better_frame_s",
            advice.tenTimesBetter ? frameSeconds(advice.tenTimesBetter->seconds, scene.duration) : kUnknown);
   return json.text();

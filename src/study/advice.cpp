@@ -191,17 +191,20 @@ class Adviser {
 
   /// As exact as it takes to tell an error of `promised` m; where it does not turn out so, as exact as can be.
   Reference makeReferenceFor(double promised) {
+    constexpr int kLarge = 2000;  // particles: a run of them is too long to wait for many
     constexpr double kOfThePromise = 1.0 / 10, kOfTheUncertainty = 1.0 / 3, kEnough = 1.0 / kTold;
     const auto observer = [&](double fraction) { return goesOn(kStudyShare + kReferenceShare * fraction); };
     ReferenceAim aim;
     aim.agreement = std::max(kOfThePromise * promised, kOfTheUncertainty * truth_.uncertainty);
     aim.tolerance = truth_.tolerance * std::min(1.0, kOfThePromise * promised / truth_.uncertainty);
     aim.motion = &truth_.motion;
+    aim.patience = scene_.columns * scene_.rows > kLarge ? 2 : ReferenceAim{}.patience;
     Reference reference = makeReference(scene_, advice_.threads, observer, aim);
     const bool exact = reference.usable() && reference.disagreement.back() <= kEnough * promised;
     const bool rougher = reference.scene.tolerance > kTightestTruth * size_ * (1 + 1e-9);
     if (exact || !rougher || advice_.stopped) return reference;
-    return makeReference(scene_, advice_.threads, observer);
+    return makeReference(scene_, advice_.threads, observer,
+                         {.tolerance = 0, .agreement = 0, .motion = nullptr, .patience = aim.patience});
   }
 
   void prove(const Reference& reference) {

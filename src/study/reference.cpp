@@ -24,7 +24,7 @@ constexpr double kMainShare = 0.2, kTwinShare = 0.2, kRungShare = 0.5;
 class ReferenceMaker {
  public:
   ReferenceMaker(Scene scene, int threads, const std::function<bool(double)>& observer, const ReferenceAim& aim)
-      : threads_(threads), observer_(observer) {
+      : threads_(threads), patience_(aim.patience), observer_(observer) {
     const double size = reference_.size = makeSheet(scene).size();
     scene.precision = Precision::Double;
     scene.tolerance = std::clamp(aim.tolerance, kReferenceTolerance * size, kLoosestTolerance * size);
@@ -88,9 +88,9 @@ class ReferenceMaker {
 
   /// What the second opinion may cost: some times the reference itself, and small sheets cost next to nothing.
   [[nodiscard]] double mostEvaluations() const {
-    constexpr double kTimesTheReference = 8, kParticleEvaluations = 2e7;
+    constexpr double kParticleEvaluations = 2e7;
     const double particles = double(reference_.scene.columns) * reference_.scene.rows;
-    return std::max(kTimesTheReference * double(reference_.motion.forceEvaluations), kParticleEvaluations / particles);
+    return std::max(patience_ * double(reference_.motion.forceEvaluations), kParticleEvaluations / particles);
   }
 
   /// At the end of the run; NaN where the second method failed.
@@ -110,6 +110,7 @@ class ReferenceMaker {
   }
 
   int threads_;
+  double patience_;
   const std::function<bool(double)>& observer_;
   double agreement_ = 0;  // m
   Reference reference_;

@@ -54,6 +54,7 @@ struct ReferenceAim {
   /// A run of this scene by dopri54 in double at that very tolerance and at sampleTimes(), if there is one: not run
   /// again.
   const SampledMotion* motion = nullptr;
+  double patience = 8;  ///< the second opinion makes at most so many times the reference's evaluations
 };
 
 /// Computes a scene's reference over its whole duration. `observer` gets the fraction done and may return false to

@@ -61,7 +61,7 @@ Scene smoothSheet() {
 TEST(Reference, OneThatNeedNotBeSoExactCostsLessAndKnowsHowExactItIs) {
   const Reference full = referenceOf(smoothSheet());
   const Reference rough = makeReference(smoothSheet(), 1, [](double) { return true; },
-                                        {.tolerance = 1e-6, .agreement = 1e-6, .motion = nullptr});
+                                        {.tolerance = 1e-6, .agreement = 1e-6, .motion = nullptr, .patience = 8});
   ASSERT_TRUE(rough.usable());
   EXPECT_LT(rough.motion.forceEvaluations, full.motion.forceEvaluations / 2);
   EXPECT_GT(rough.secondStep, 2 * full.secondStep);
@@ -73,14 +73,15 @@ TEST(Reference, DoesNotRunAgainWhatItIsGiven) {
   const Reference full = referenceOf(smoothSheet());
   SampledMotion marked = full.motion;
   marked.forceEvaluations = -1;
-  const ReferenceAim aim{.tolerance = full.scene.tolerance, .agreement = 0, .motion = &marked};
+  const ReferenceAim aim{.tolerance = full.scene.tolerance, .agreement = 0, .motion = &marked, .patience = 8};
   EXPECT_EQ(makeReference(
                 smoothSheet(), 1, [](double) { return true; }, aim)
                 .motion.forceEvaluations,
             -1);
   const ReferenceAim other{.tolerance = 1e-6,  // rougher than any reference
                            .agreement = 0,
-                           .motion = &marked};
+                           .motion = &marked,
+                           .patience = 8};
   EXPECT_GT(makeReference(
                 smoothSheet(), 1, [](double) { return true; }, other)
                 .motion.forceEvaluations,
