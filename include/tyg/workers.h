@@ -38,7 +38,7 @@ class Workers {
   struct Pool;
   void share(const Job& job);
 
-  int threads_;
+  int threads_ = 1;
   std::unique_ptr<Pool> pool_;
 };
 

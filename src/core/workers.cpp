@@ -63,7 +63,7 @@ struct Workers::Pool {
   }
 };
 
-Workers::Workers(int threads) : threads_(1) {
+Workers::Workers(int threads) {
   if (threads <= 1) return;
   pool_ = std::make_unique<Pool>();
   pool_->spins = threads <= int(std::thread::hardware_concurrency()) ? kSpins : 0;
