@@ -174,6 +174,7 @@ double SettingCandidate::guess(const Run* good, const Run* bad, double error) co
   constexpr double kLoosest = 16;
   const double apart = method_->adaptive ? 1.25 : 1.08;
   const double tightest = method_->adaptive ? 1e-5 : 1.0 / 16, afterFailure = method_->adaptive ? 0.1 : 0.5;
+  if (good == nullptr && bad == nullptr) return loosest_;
   if (bad == nullptr) return good->knob * std::clamp(factor(good->trial, error), 1.5, kLoosest);
   const double wanted =
       bad->knob *
