@@ -4,8 +4,8 @@
 #include <limits>
 #include <numbers>
 
-#include "integrators/chebyshev.h"
 #include "core/rest_spectrum.h"
+#include "integrators/chebyshev.h"
 #include "study/stability_chart.h"
 
 namespace tyg {
