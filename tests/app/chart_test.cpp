@@ -59,7 +59,7 @@ TEST(Chart, FinerSheetsBecomeALineAndAFile) {
 TEST(Chart, TheHorizonShortensEveryRun) {
   const Folder folder;
   ASSERT_EQ(tyg(kSmall + " --horizon 0.1 --out " + (folder / "").string(), kWithoutGnuplot).code, 0);
-  EXPECT_TRUE(holds(contentsOf(folder / "chart.gp"), "duration = 0.1 "));
+  EXPECT_TRUE(holds(contentsOf(folder / "chart.gp"), "duration = 0.10000000000000001 "));
 }
 
 TEST(Chart, AnErrorRangeAndAPrecisionNarrowItDownAndOldFilesGo) {
