@@ -42,11 +42,7 @@ StudyPlan planOf(const Scene& scene, const std::vector<const Method*>& methods) 
 }
 
 std::string whyNoReference(const Reference& reference) {
-  const bool failed = reference.motion.status != Status::Ok;
-  return "There is no reference to measure errors against: " +
-         (failed ? "dopri54 with the finest tolerance became " + std::string(nameOf(reference.motion.status))
-                 : std::string("a second method did not agree with it")) +
-         ".";
+  return "There is no reference to measure errors against: " + reference.whyUnusable() + ".";
 }
 
 }  // namespace

@@ -161,10 +161,7 @@ class Charting {
 };
 
 int sayNoReference(const Reference& reference) {
-  std::cerr << "tyg chart: no reference for this scene: "
-            << (reference.motion.status != Status::Ok
-                    ? "dopri54 at a tolerance of 1e-13 of the size was " + std::string(nameOf(reference.motion.status))
-                    : "rk4 was unstable with steps of " + std::to_string(reference.secondStep) + " s")
+  std::cerr << "tyg chart: no reference for this scene: " << reference.whyUnusable()
             << "; nothing was written. Try a shorter --duration" << std::endl;
   return kSimulationFailed;
 }

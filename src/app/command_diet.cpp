@@ -85,7 +85,7 @@ int say(int code, const std::string& words) {
 /// Why there can be no verdict; empty where there can.
 std::string obstacle(const Reference& reference, double within) {
   if (!reference.usable()) {
-    return "no reference for this scene: two exact methods do not agree on its motion. Try a shorter --duration";
+    return "no reference for this scene: " + reference.whyUnusable() + ". Try a shorter --duration";
   }
   if (reference.horizonOf(within, Precision::Double) > 0) return "";
   return "--within " + lengthText(within) + ": found less than ten times what rounding errors make of this cloth, " +

@@ -241,6 +241,10 @@ int view(const ViewOptions& options) {
     if (options.record) writeWholeFile(*options.record, formatPushLog(log));
   };
   viewer.onRunEnd(keep);
+  // A run that was never started does not replace the one before the restart.
+  const auto keepWhatRan = [&viewer, &keep] {
+    if (const PushLog log = viewer.record(); log.ticks > 0) keep(log);
+  };
   const InterruptWatch watch;
   try {
     View(options, scene, viewer).run();
@@ -254,15 +258,15 @@ int view(const ViewOptions& options) {
     like.threads = options.scene.threads.value_or(0);
     return renderInstead(scene, like);
   } catch (const InputError&) {
-    if (viewer.record().ticks > 0) keep(viewer.record());
+    keepWhatRan();
     throw;
   } catch (const std::runtime_error& error) {  // no such window, or a driver that refuses the shaders
-    if (viewer.record().ticks > 0) keep(viewer.record());
+    keepWhatRan();
     std::cerr << "tyg view: " << error.what() << "; tyg render draws without a window" << std::endl;
     return kSimulationFailed;
   }
-  // A run that was never started does not replace the one before the restart.
-  if (!kept || viewer.record().ticks > 0) keep(viewer.record());
+  keepWhatRan();
+  if (!kept) keep(viewer.record());
   return interrupted() ? kInterrupted : kDone;
 }
 

@@ -7,6 +7,7 @@
 #include <random>
 #include <utility>
 
+#include "core/text.h"
 #include "study/error.h"
 #include "study/stability.h"
 #include "tyg/methods.h"
@@ -132,6 +133,13 @@ std::size_t firstAfter(const std::vector<double>& times, double time) {
 
 double errorFloor(double size, double amplification, double disagreement, Precision precision) {
   return std::min(size, std::max(disagreement, amplification * roundingUnit(precision) * size));
+}
+
+std::string Reference::whyUnusable() const {
+  if (motion.status != Status::Ok) {
+    return formatted("dopri54 within %.3g m a step was ", scene.tolerance) + std::string(nameOf(motion.status));
+  }
+  return formatted("rk4 was unstable with steps of %.3g s", secondStep);
 }
 
 bool Reference::usable() const {

@@ -34,6 +34,8 @@ struct Reference {
 
   /// Is it complete, with a second opinion?
   [[nodiscard]] bool usable() const;
+  /// Where it is not: which of the two methods failed, and how.
+  [[nodiscard]] std::string whyUnusable() const;
   /// errorFloor() up to a sample time.
   [[nodiscard]] double floorAt(std::size_t sample, Precision precision) const;
   /// The same over the whole run.
