@@ -5,7 +5,7 @@
 // particle.
 #include <Eigen/Dense>
 
-#include "integrators/factories.h"
+#include "integrators/make.h"
 #include "integrators/spring_list.h"
 
 namespace tyg {
@@ -165,11 +165,14 @@ class BackwardEuler final : public Integrator<T> {
 
 }  // namespace
 
-template <class T>
-std::unique_ptr<Integrator<T>> makeBackwardEuler(const Scene& scene, const Sheet& sheet) {
-  return std::make_unique<BackwardEuler<T>>(scene, sheet);
+Method backwardEulerMethod() {
+  return {.name = "backward-euler",
+          .label = "Backward Euler",
+          .scheme = "Baraff-Witkin: one linearised solve a step",
+          .order = 1,
+          .evaluationsPerStep = 1,
+          .makeFloat = make<BackwardEuler, float>,
+          .makeDouble = make<BackwardEuler, double>};
 }
-template std::unique_ptr<Integrator<float>> makeBackwardEuler(const Scene&, const Sheet&);
-template std::unique_ptr<Integrator<double>> makeBackwardEuler(const Scene&, const Sheet&);
 
 }  // namespace tyg

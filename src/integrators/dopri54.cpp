@@ -2,7 +2,8 @@
 // Coefficients: J. R. Dormand, P. J. Prince, "A family of embedded Runge-Kutta formulae", J. Comput. Appl. Math. 6
 // (1980) 19-26, table 2.
 #include "integrators/embedded_rk.h"
-#include "integrators/factories.h"
+#include "integrators/make.h"
+#include "integrators/stable_step.h"
 
 namespace tyg {
 namespace {
@@ -23,13 +24,28 @@ struct Dopri54Table {
                                          -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
 };
 
+template <class T>
+using Dopri54 = EmbeddedRk<T, Dopri54Table>;
+
+/// R(z) = 1 + z + z^2/2 + z^3/6 + z^4/24 + z^5/120 + z^6/600.
+double stableStep(double w2, double d) {
+  constexpr double kGrowth[] = {1, 1, 1.0 / 2, 1.0 / 6, 1.0 / 24, 1.0 / 120, 1.0 / 600};
+  return rungeKuttaLimit(kGrowth, w2, d);
+}
+
 }  // namespace
 
-template <class T>
-std::unique_ptr<Integrator<T>> makeDopri54(const Scene& scene, const Sheet& sheet) {
-  return std::make_unique<EmbeddedRk<T, Dopri54Table>>(scene, sheet);
+Method dopri54Method() {
+  return {.name = "dopri54",
+          .label = "Dormand-Prince 5(4)",
+          .scheme = "adaptive Runge-Kutta, first same as last",
+          .order = 5,
+          .evaluationsPerStep = 6,
+          .evaluationsAtStart = 1,
+          .adaptive = true,
+          .stableStep = stableStep,
+          .makeFloat = make<Dopri54, float>,
+          .makeDouble = make<Dopri54, double>};
 }
-template std::unique_ptr<Integrator<float>> makeDopri54(const Scene&, const Sheet&);
-template std::unique_ptr<Integrator<double>> makeDopri54(const Scene&, const Sheet&);
 
 }  // namespace tyg

@@ -1,6 +1,7 @@
 // Explicit Euler (Euler 1768): position and velocity both move with what they were at the start of the step.
 #include "core/field_ops.h"
-#include "integrators/factories.h"
+#include "integrators/make.h"
+#include "integrators/stable_step.h"
 
 namespace tyg {
 namespace {
@@ -28,13 +29,24 @@ class ExplicitEuler final : public Integrator<T> {
   VectorField<T> force_;
 };
 
+/// |1 + h mu| <= 1. Complex pair: |1 + h mu|^2 = 1 - h d + h^2 w2, so h <= d / w2; real: h <= 2 / |mu|.
+double stableStep(double w2, double d) {
+  const std::complex<double> mu = fastRoot(w2, d);
+  if (mu.imag() != 0) return d / w2;
+  return mu.real() == 0 ? kEveryStep : 2 / -mu.real();
+}
+
 }  // namespace
 
-template <class T>
-std::unique_ptr<Integrator<T>> makeExplicitEuler(const Scene& /*scene*/, const Sheet& sheet) {
-  return std::make_unique<ExplicitEuler<T>>(Layout(sheet));
+Method explicitEulerMethod() {
+  return {.name = "explicit-euler",
+          .label = "Explicit Euler",
+          .scheme = "x' = x + h v; v' = v + h a(x, v)",
+          .order = 1,
+          .evaluationsPerStep = 1,
+          .stableStep = stableStep,
+          .makeFloat = make<ExplicitEuler, float>,
+          .makeDouble = make<ExplicitEuler, double>};
 }
-template std::unique_ptr<Integrator<float>> makeExplicitEuler(const Scene&, const Sheet&);
-template std::unique_ptr<Integrator<double>> makeExplicitEuler(const Scene&, const Sheet&);
 
 }  // namespace tyg

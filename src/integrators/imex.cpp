@@ -4,8 +4,9 @@
 #include <Eigen/SparseCholesky>
 
 #include "core/field_ops.h"
-#include "integrators/factories.h"
+#include "integrators/make.h"
 #include "integrators/spring_list.h"
+#include "integrators/stable_step.h"
 
 namespace tyg {
 namespace {
@@ -126,13 +127,20 @@ class Imex final : public Integrator<T> {
   Columns velocity_, impulse_;
 };
 
+/// Damping by the midpoint rule only ever shrinks a mode; the springs alone set h^2 w2 <= 4.
+double stableStep(double w2, double /*d*/) { return positiveRoot(w2, 0); }
+
 }  // namespace
 
-template <class T>
-std::unique_ptr<Integrator<T>> makeImex(const Scene& scene, const Sheet& sheet) {
-  return std::make_unique<Imex<T>>(scene, sheet);
+Method imexMethod() {
+  return {.name = "imex",
+          .label = "IMEX",
+          .scheme = "position Verlet, damping by implicit midpoint",
+          .order = 2,
+          .evaluationsPerStep = 1,
+          .stableStep = stableStep,
+          .makeFloat = make<Imex, float>,
+          .makeDouble = make<Imex, double>};
 }
-template std::unique_ptr<Integrator<float>> makeImex(const Scene&, const Sheet&);
-template std::unique_ptr<Integrator<double>> makeImex(const Scene&, const Sheet&);
 
 }  // namespace tyg

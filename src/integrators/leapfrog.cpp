@@ -2,7 +2,8 @@
 //   w = v + h/2 a;  x' = x + h w;  a' = a(x', w + h/2 a);  v' = w + h/2 a'
 // Damping sees the velocity predicted with the old acceleration: that keeps second order with one evaluation a step.
 #include "core/field_ops.h"
-#include "integrators/factories.h"
+#include "integrators/make.h"
+#include "integrators/stable_step.h"
 
 namespace tyg {
 namespace {
@@ -57,13 +58,21 @@ class Leapfrog final : public Integrator<T> {
   bool haveForce_ = false;  // force_ belongs to the state that the last step left
 };
 
+/// With the damping at the predicted velocity: h^2 w2 + 4 h d <= 4, where h d = 1 bounds the pure damping mode.
+double stableStep(double w2, double d) { return positiveRoot(w2, 4 * d); }
+
 }  // namespace
 
-template <class T>
-std::unique_ptr<Integrator<T>> makeLeapfrog(const Scene& /*scene*/, const Sheet& sheet) {
-  return std::make_unique<Leapfrog<T>>(Layout(sheet));
+Method leapfrogMethod() {
+  return {.name = "leapfrog",
+          .label = "Leapfrog",
+          .scheme = "velocity Verlet; damping at the predicted velocity",
+          .order = 2,
+          .evaluationsPerStep = 1,
+          .evaluationsAtStart = 1,
+          .stableStep = stableStep,
+          .makeFloat = make<Leapfrog, float>,
+          .makeDouble = make<Leapfrog, double>};
 }
-template std::unique_ptr<Integrator<float>> makeLeapfrog(const Scene&, const Sheet&);
-template std::unique_ptr<Integrator<double>> makeLeapfrog(const Scene&, const Sheet&);
 
 }  // namespace tyg

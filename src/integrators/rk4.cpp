@@ -2,7 +2,8 @@
 //   k1 = f(y); k2 = f(y + h/2 k1); k3 = f(y + h/2 k2); k4 = f(y + h k3); y' = y + h/6 (k1 + 2 k2 + 2 k3 + k4)
 // The position half of every k is a velocity, so only velocities and forces are summed.
 #include "core/field_ops.h"
-#include "integrators/factories.h"
+#include "integrators/make.h"
+#include "integrators/stable_step.h"
 
 namespace tyg {
 namespace {
@@ -72,13 +73,23 @@ class Rk4 final : public Integrator<T> {
   VectorField<T> force_, sumV_, sumF_;
 };
 
+/// R(z) = 1 + z + z^2/2 + z^3/6 + z^4/24.
+double stableStep(double w2, double d) {
+  constexpr double kGrowth[] = {1, 1, 1.0 / 2, 1.0 / 6, 1.0 / 24};
+  return rungeKuttaLimit(kGrowth, w2, d);
+}
+
 }  // namespace
 
-template <class T>
-std::unique_ptr<Integrator<T>> makeRk4(const Scene& /*scene*/, const Sheet& sheet) {
-  return std::make_unique<Rk4<T>>(Layout(sheet));
+Method rk4Method() {
+  return {.name = "rk4",
+          .label = "Runge-Kutta 4",
+          .scheme = "the classical Runge-Kutta method on (x, v)",
+          .order = 4,
+          .evaluationsPerStep = 4,
+          .stableStep = stableStep,
+          .makeFloat = make<Rk4, float>,
+          .makeDouble = make<Rk4, double>};
 }
-template std::unique_ptr<Integrator<float>> makeRk4(const Scene&, const Sheet&);
-template std::unique_ptr<Integrator<double>> makeRk4(const Scene&, const Sheet&);
 
 }  // namespace tyg

@@ -10,7 +10,7 @@
 #include "core/field_ops.h"
 #include "integrators/chebyshev.h"
 #include "integrators/chebyshev_table.h"
-#include "integrators/factories.h"
+#include "integrators/make.h"
 
 namespace tyg {
 namespace {
@@ -97,11 +97,9 @@ class Rkc2 final : public Integrator<T> {
   std::shared_ptr<const ChebyshevTable> table_;
 };
 
-}  // namespace
-
-// Doubled from far below until no number of stages holds every wave, then bisected. A wave without damping grows at any
-// step: on the imaginary axis |P_s| > 1.
-double stableStepRkc2(const Scene& scene) {
+/// Doubled from far below until no number of stages holds every wave, then bisected. A wave without damping grows at
+/// any step: on the imaginary axis |P_s| > 1.
+double stableStepOfScene(const Scene& scene) {
   const std::vector<Mode> modes = chebyshevModes(scene);
   const auto holds = [&](double h) { return chebyshevStages(modes, h).count != 0; };
   double fastest = 0;
@@ -124,11 +122,17 @@ double stableStepRkc2(const Scene& scene) {
   return inside;
 }
 
-template <class T>
-std::unique_ptr<Integrator<T>> makeRkc2(const Scene& scene, const Sheet& sheet) {
-  return std::make_unique<Rkc2<T>>(scene, sheet);
+}  // namespace
+
+Method rkc2Method() {
+  return {.name = "rkc2",
+          .label = "Runge-Kutta-Chebyshev 2",
+          .scheme = "as many stages as the damping needs",
+          .order = 2,
+          .evaluationsPerStep = -1,
+          .stableStepOfScene = stableStepOfScene,
+          .makeFloat = make<Rkc2, float>,
+          .makeDouble = make<Rkc2, double>};
 }
-template std::unique_ptr<Integrator<float>> makeRkc2(const Scene&, const Sheet&);
-template std::unique_ptr<Integrator<double>> makeRkc2(const Scene&, const Sheet&);
 
 }  // namespace tyg

@@ -1,6 +1,7 @@
 // Symplectic Euler (de Vogelaere 1956): the new velocity moves the position. The 2017 report's own Euler.
-#include "integrators/factories.h"
 #include "integrators/kick_and_drift.h"
+#include "integrators/make.h"
+#include "integrators/stable_step.h"
 
 namespace tyg {
 namespace {
@@ -24,13 +25,21 @@ class SymplecticEuler final : public Integrator<T> {
   VectorField<T> force_;
 };
 
+/// Step matrix: determinant 1 - h d, trace 2 - h d - h^2 w2; both eigenvalues within the unit circle while
+/// h^2 w2 + 2 h d <= 4.
+double stableStep(double w2, double d) { return positiveRoot(w2, 2 * d); }
+
 }  // namespace
 
-template <class T>
-std::unique_ptr<Integrator<T>> makeSymplecticEuler(const Scene& /*scene*/, const Sheet& sheet) {
-  return std::make_unique<SymplecticEuler<T>>(Layout(sheet));
+Method symplecticEulerMethod() {
+  return {.name = "symplectic-euler",
+          .label = "Symplectic Euler",
+          .scheme = "v' = v + h a(x, v); x' = x + h v'",
+          .order = 1,
+          .evaluationsPerStep = 1,
+          .stableStep = stableStep,
+          .makeFloat = make<SymplecticEuler, float>,
+          .makeDouble = make<SymplecticEuler, double>};
 }
-template std::unique_ptr<Integrator<float>> makeSymplecticEuler(const Scene&, const Sheet&);
-template std::unique_ptr<Integrator<double>> makeSymplecticEuler(const Scene&, const Sheet&);
 
 }  // namespace tyg

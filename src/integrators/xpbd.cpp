@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/field_ops.h"
-#include "integrators/factories.h"
+#include "integrators/make.h"
 #include "integrators/spring_list.h"
 
 namespace tyg {
@@ -103,11 +103,14 @@ class Xpbd final : public Integrator<T> {
 
 }  // namespace
 
-template <class T>
-std::unique_ptr<Integrator<T>> makeXpbd(const Scene& scene, const Sheet& sheet) {
-  return std::make_unique<Xpbd<T>>(scene, sheet);
+Method xpbdMethod() {
+  return {.name = "xpbd",
+          .label = "XPBD",
+          .scheme = "compliant constraints, small steps, one sweep",
+          .order = 1,
+          .evaluationsPerStep = 0,
+          .makeFloat = make<Xpbd, float>,
+          .makeDouble = make<Xpbd, double>};
 }
-template std::unique_ptr<Integrator<float>> makeXpbd(const Scene&, const Sheet&);
-template std::unique_ptr<Integrator<double>> makeXpbd(const Scene&, const Sheet&);
 
 }  // namespace tyg
