@@ -8,16 +8,7 @@ tyg=$(readlink -f "$1") backend=glfw
 limit=220 # seconds for everything, on a slow and busy machine
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/driving.sh"
 
-# ImGui sees the mouse once a frame: it must have come to a place before a button is pressed there.
-point() { xdotool mousemove "$@" && few_frames; }
-click() {
-  point "$@"
-  xdotool mousedown 1
-  few_frames
-  xdotool mouseup 1
-  few_frames
-}
-# ImGui looks at a key once a frame, too: one that is up again by then was never down.
+# ImGui looks at a key once a frame: one that is up again by then was never down.
 hold() {
   xdotool keydown "$1"
   few_frames

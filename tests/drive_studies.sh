@@ -14,11 +14,6 @@ some_time() {
   look
   until_true "time passes" later_than "$(awk "BEGIN { print $sim_s + $1 }")"
 }
-# The window has to have drawn with the cursor there before it knows what is under it.
-point_at() {
-  xdotool mousemove --window "$window" "$1" "$2"
-  few_frames 2
-}
 picture() {
   few_frames 6
   [[ -z $pictures ]] || ffmpeg -v error -y -f x11grab -video_size "$screen" -i "$DISPLAY" -frames:v 1 "$pictures/$1.png"
@@ -40,7 +35,7 @@ adopted=
 for ((turn = 0; turn < 400 && ${#adopted} == 0; ++turn)); do
   # Somewhere in the plot, where the rows come in one after the other.
   x=$((width - 30 * 18 + (turn * 37) % (24 * 18))) y=$((8 * 18 + (turn * 23) % (12 * 18)))
-  point_at "$x" "$y"
+  point "$x" "$y"
   xdotool click 1
   few_frames 1
   if setting_changed; then adopted=yes; fi
@@ -49,7 +44,7 @@ done
 [[ $pushes == 0 ]] || fail "clicks on the chart push the cloth"
 look
 echo "chart: from $before to $integrator,$dt after $turn clicks"
-point_at 300 "$((height - 200))"
+point 300 "$((height - 200))"
 few_frames 40 # of rows coming in
 picture chart
 press c
@@ -67,15 +62,63 @@ press r
 until_true "a restart with a ghost" in_state waiting
 press space
 some_time 0.2
+
+# Another method beside it: the fifth line of the list, which then is the cloth's.
+click "$((width - 220))" 91
+click "$((width - 300))" 215
+click "$((width - 300))" 122
+until_true "the ghost's method is swapped with the cloth's" uses leapfrog
+few_frames
+click "$((width - 300))" 122
+until_true "and swapped back" uses rk4
 press g
-for panel in t:stretch equal:energy slash:traces; do
+
+# A click on a plot goes back to its moment.
+for panel in equal:energy slash:traces; do
   press "${panel%%:*}"
-  some_time 0.5
+  some_time 0.8
   picture "${panel##*:}"
+  press space
+  until_true "it pauses" in_state paused
+  newest=$sim_s
+  click "$((width - 45))" 140
+  until_true "a click on the plot of ${panel##*:} goes back" earlier_than "$newest"
+  press space
+  until_true "it goes on from there" in_state running
   press "${panel%%:*}"
   few_frames
 done
+
+# The stretch colours the springs: hardly any is as blue then as all are without it.
+blue_places() {
+  ffmpeg -v error -f x11grab -video_size "$((width / 3))x$((height / 2))" -i "$DISPLAY+$((width / 3)),$((height / 5))" \
+    -frames:v 1 -f rawvideo -pix_fmt rgb24 - | od -An -v -tu1 -w3 | awk '$3 > 120 && $3 > $1 + 40 { ++count } END { print count + 0 }'
+}
+if command -v ffmpeg >/dev/null; then
+  few_frames
+  plain=$(blue_places)
+  press t
+  few_frames
+  coloured=$(blue_places)
+  is "$plain > 200 && $coloured < $plain / 2" || fail "stretch colours nothing: $plain blue places before, $coloured with it"
+  press t
+fi
 press t
+some_time 0.5
+picture stretch
+
+# Where a panel stands it takes the clicks; closed, it does not.
+for key in t g equal slash; do
+  press "$key"
+  few_frames
+  look && before=$pushes
+  open=1
+  click "$((width - 300))" 57
+  [[ $key != t ]] || open=0 # it was open
+  ((pushes == before + 1 - open)) || fail "the panel of key $key takes no clicks, or all"
+  press "$key"
+  few_frames
+done
 press g
 some_time 0.2
 press Escape # closes the panel opened last, and does not leave

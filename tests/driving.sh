@@ -67,6 +67,15 @@ few_frames() {
   look
   until_true "more frames" frames_since "$((frame + ${1:-3}))"
 }
+# ImGui sees the mouse once a frame: it must have come to a place before a button is pressed there.
+point() { xdotool mousemove "$@" && few_frames; }
+click() {
+  point "$@"
+  xdotool mousedown 1
+  few_frames
+  xdotool mouseup 1
+  few_frames
+}
 # open_window ARGUMENTS...: a window that waits, which `window` names then.
 open_window() {
   : >"$log"

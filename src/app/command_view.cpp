@@ -115,7 +115,7 @@ class View {
     try {
       if (std::string said = deed(); !said.empty()) viewer_.note(std::move(said));
     } catch (const std::exception& error) {
-      viewer_.note(error.what());
+      viewer_.warn(error.what());
     }
   }
 
@@ -208,7 +208,7 @@ class View {
       log_->write(line);
     } catch (const std::exception& error) {
       log_.reset();
-      viewer_.note(error.what());
+      viewer_.warn(error.what());
       stale_ = kFramesToSettle;
     }
   }

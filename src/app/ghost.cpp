@@ -15,8 +15,9 @@ namespace {
 /// from the truth, at 6 to 21 force evaluations a tick; the scenes' own settings are at 1e-8 or worse, but for two
 /// whose steps are a tenth of what would do.
 constexpr double kReferenceTolerance = 1e-9;
-/// Of the size, at the start: no farther than the reference may be off.
-constexpr double kTwinDistance = kReferenceTolerance;
+/// A twin starts as far away as the reference may be off; beside a second method, which need not be right, so many
+/// roundings away. More would hide the horizon: lost in the end are twin and cloth equally far.
+constexpr double kRoundings = 2;
 /// Of the size: a floor above this one could be seen, if not by eye, then on the scale of colours.
 constexpr double kSeenFloor = 1e-5;
 
@@ -47,10 +48,9 @@ void Ghost::begin(const Simulation& live) {
   scene_ = sceneFor(live);
   const Settings settings{.threads = live.threads()};
   main_.emplace(scene_, *method_, settings);
-  twin_.reset();
-  if (second_ == nullptr) {
-    twin_.emplace(twinOf(scene_, kTwinDistance * live.sheet().size()), *method_, settings);
-  }
+  twinDistance_ =
+      isReference() ? scene_.tolerance : kRoundings * errorFloor(live.sheet().size(), 1, 0, scene_.precision);
+  twin_.emplace(twinOf(scene_, twinDistance_), *method_, settings);
   played_.clear();
   checkpoints_.clear();
   ticksBetweenCheckpoints_ = kFirstSpacing;
@@ -63,9 +63,7 @@ void Ghost::begin(const Simulation& live) {
   main_->copyPositions(positions_);
 }
 
-std::int64_t Ghost::forceEvaluations() const {
-  return main_->forceEvaluations() + (twin_ ? twin_->forceEvaluations() : 0);
-}
+std::int64_t Ghost::forceEvaluations() const { return main_->forceEvaluations() + twin_->forceEvaluations(); }
 
 /// The live log grows at its end only, unless the live simulation went back in time: then it is shorter than before.
 bool Ghost::hasStrayed(const Simulation& live) const {
@@ -81,7 +79,7 @@ void Ghost::goBack(const Simulation& live) {
   while (checkpoints_.back().tick > live.ticks() || checkpoints_.back().events > same) checkpoints_.pop_back();
   const Checkpoint& checkpoint = checkpoints_.back();  // the first one is the start, which fits always
   main_->restore(checkpoint.main);
-  if (twin_) twin_->restore(*checkpoint.twin);
+  twin_->restore(checkpoint.twin);
   played_.resize(checkpoint.events);
   gap_.reset();
   distances_.clear();
@@ -100,7 +98,7 @@ void Ghost::keepCheckpoint() {
   made.events = played_.size();
   made.told = told_;
   made.main = main_->save();
-  if (twin_) made.twin = twin_->save();
+  made.twin = twin_->save();
 }
 
 /// Some ticks, no farther than to the next thing that happened to the live cloth.
@@ -109,10 +107,10 @@ void Ghost::stride(const Simulation& live) {
   while (played_.size() < events.size() && events[played_.size()].tick <= main_->ticks()) {
     const LogEvent& event = events[played_.size()];
     // The reference keeps its own tolerance, either ghost its method.
-    const bool own = event.kind == LogEvent::Kind::Method || (twin_ && event.kind == LogEvent::Kind::Tolerance);
+    const bool own = event.kind == LogEvent::Kind::Method || (isReference() && event.kind == LogEvent::Kind::Tolerance);
     if (!own) {
       main_->apply(event, methods());
-      if (twin_) twin_->apply(event, methods());
+      twin_->apply(event, methods());
     }
     played_.push_back(event);
   }
@@ -120,8 +118,8 @@ void Ghost::stride(const Simulation& live) {
   if (played_.size() < events.size()) end = std::min(end, events[played_.size()].tick);
   const std::int64_t count = end - main_->ticks();
   main_->tick(count);
-  if (twin_) twin_->tick(count);
-  if (twin_ && twin_->ticks() != main_->ticks()) return;  // it was given up
+  twin_->tick(count);
+  if (twin_->ticks() != main_->ticks()) return;  // it was given up
   if (main_->ticks() - checkpoints_.back().tick >= ticksBetweenCheckpoints_) keepCheckpoint();
 }
 
@@ -130,10 +128,10 @@ bool Ghost::strideInTime(const Simulation& live, const Clock& clock) {
   bool late = false;
   const auto watch = [&, began = clock()] { return !(late = late || clock() - began >= kLongestStride); };
   main_->observe(watch);
-  if (twin_) twin_->observe(watch);
+  twin_->observe(watch);
   stride(live);
   main_->observe({});
-  if (twin_) twin_->observe({});
+  twin_->observe({});
   return !late;
 }
 
@@ -167,15 +165,14 @@ void Ghost::measure(const Simulation& live) {
     square += apart;
     largest = std::max(largest, apart);
     distances_[static_cast<std::size_t>(particle)] = static_cast<float>(std::sqrt(apart));
-    if (twin_) twinSquare += squareBetween(twin_->position(particle), here);
+    twinSquare += squareBetween(twin_->position(particle), here);
   }
   GhostGap gap{.time = main_->time(), .rms = std::sqrt(square / count), .largest = std::sqrt(largest)};
   gap.error = told_.error = std::max(told_.error, gap.rms);
-  if (twin_) {
-    const double size = live.sheet().size(), apart = std::sqrt(twinSquare / count);
-    if (size > 0) told_.amplification = std::max(told_.amplification, apart / (kTwinDistance * size));
-    gap.floor = errorFloor(size, told_.amplification, told_.amplification * scene_.tolerance, live.scene().precision);
-  }
+  const double size = live.sheet().size(), apart = std::sqrt(twinSquare / count);
+  if (twinDistance_ > 0) told_.amplification = std::max(told_.amplification, apart / twinDistance_);
+  const double disagreement = isReference() ? told_.amplification * scene_.tolerance : 0;
+  gap.floor = errorFloor(size, told_.amplification, disagreement, live.scene().precision);
   if (gap.means()) told_.meant = gap.time;
   gap_ = gap;
 }

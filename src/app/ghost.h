@@ -20,9 +20,8 @@ struct GhostGap {
   double rms = 0;      ///< m, over all particles
   double largest = 0;  ///< m, of any particle
   double error = 0;    ///< m, the largest RMS distance so far
-  /// errorFloor() of the study, m; 0 beside a second method. A twin of the reference that starts a billionth of the
-  /// size away follows it: whatever the cloth has made of that distance at most, it makes of the reference's own
-  /// error and of the live cloth's rounding.
+  /// errorFloor() of the study, m. A twin of the ghost that starts a little away follows it: whatever the cloth has
+  /// made of that distance at most, it makes of the live cloth's rounding, and of the reference's own error.
   double floor = 0;
   [[nodiscard]] bool means() const { return meansSomething(error, floor); }
 };
@@ -48,7 +47,7 @@ class Ghost {
   [[nodiscard]] Status status() const { return main_->status(); }
   /// A tick of it took longer than a second: it has stopped, until the live one goes back in time or begins anew.
   [[nodiscard]] bool stalled() const { return stalled_; }
-  /// Force evaluations by the ghost (and its twin) since it began; goes back with it in time.
+  /// Force evaluations by the ghost and its twin since it began; goes back with it in time.
   [[nodiscard]] std::int64_t forceEvaluations() const;
 
   /// Of the last moment in step; none before that, and none since a return in time until they meet again.
@@ -73,7 +72,7 @@ class Ghost {
     std::int64_t tick = 0;
     std::size_t events = 0;  ///< of the live log, played by then
     Snapshot main;
-    std::optional<Snapshot> twin;
+    Snapshot twin;
     Told told;
   };
   void begin(const Simulation& live);
@@ -93,7 +92,8 @@ class Ghost {
   std::int64_t ticksBetweenCheckpoints_ = 0;
   double behind_ = 0;
   bool stalled_ = false;
-  std::int64_t seen_ = 0;  ///< ticks of the live one at the last follow()
+  double twinDistance_ = 0;  ///< m, at the start
+  std::int64_t seen_ = 0;    ///< ticks of the live one at the last follow()
   Told told_;
   std::optional<GhostGap> gap_;
   std::vector<float> positions_, distances_;

@@ -145,7 +145,7 @@ void Hud::draw(Viewer& viewer, Panels& panels) {
   const std::string_view title = viewer.simulation().scene().title;
   pen.shade({size_, size_}, {size_ + pen.extent(title).x, 2 * size_});
   pen.write({size_, size_}, colours.text, title);
-  const float free = drawFoot(viewer);
+  const float free = drawFoot(viewer, panels);
   if (viewer.showsHelp()) {
     for (const bool choices : {false, true}) {
       if (panels.width(choices ? Edge::Right : Edge::Left) == 0) drawKeys(viewer, colours, choices, free);

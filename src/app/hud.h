@@ -40,15 +40,17 @@ class Hud {
 
  private:
   struct Column;
+  struct Middle;
+  [[nodiscard]] Middle middleBetween(const Panels& panels, float keys) const;
   [[nodiscard]] Column measure(bool choices) const;
   [[nodiscard]] Column columnOf(bool choices, const ImVec2& screen) const;
   void drawKeys(const Viewer& viewer, const Colours& colours, bool choices, float free) const;
   [[nodiscard]] Pen penFor(const Viewer& viewer) const;
-  float drawFoot(const Viewer& viewer);
+  float drawFoot(const Viewer& viewer, Panels& panels);
   [[nodiscard]] float drawStatus(const Viewer& viewer) const;
   float drawTimeLine(const Viewer& viewer, float bottom);
-  void drawPrompt(const Viewer& viewer, float bottom) const;
-  float drawFailure(const Viewer& viewer, float bottom);
+  void drawPrompt(const Viewer& viewer, const Middle& middle, float bottom) const;
+  float drawFailure(const Viewer& viewer, const Middle& middle, float bottom);
   void drawArrow(const Viewer& viewer, const Colours& colours) const;
 
   Window& window_;

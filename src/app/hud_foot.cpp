@@ -13,6 +13,8 @@ namespace tyg {
 namespace {
 
 constexpr float kLine = 1.5F, kLargeRatio = 1.5F;  // in sizes of the text
+constexpr float kTimeLine = 2;                     // its height
+constexpr float kLeastMiddle = 30;                 // to write in between the panels
 
 /// `1/8 speed`; nothing at full speed.
 void describeSpeed(double speed, std::array<char, 32>& text) {
@@ -38,13 +40,35 @@ std::vector<Buttons::Button> waysOut(const Viewer& viewer) {
 
 }  // namespace
 
+/// What is said in the middle stands between the panels, or below them where that is too narrow.
+struct Hud::Middle {
+  float from = 0, to = 0;  ///< across the window
+  bool free = false;       ///< of panels
+};
+
+/// `keys`: the width that they take where there are no panels.
+Hud::Middle Hud::middleBetween(const Panels& panels, float keys) const {
+  const float screen = ImGui::GetIO().DisplaySize.x;
+  const auto side = [&](Edge edge) { return panels.width(edge) > 0 ? panels.width(edge) : keys; };
+  const Middle middle{side(Edge::Left), screen - side(Edge::Right), true};
+  return middle.to - middle.from < kLeastMiddle * size_ ? Middle{0, screen, false} : middle;
+}
+
 /// Returns the height down to which keys may be written: what is said in the middle does not cover them.
-float Hud::drawFoot(const Viewer& viewer) {
-  float bottom = drawStatus(viewer);
-  bottom = drawTimeLine(viewer, bottom);
-  if (viewer.state() == RunState::Frozen) return drawFailure(viewer, bottom);
+float Hud::drawFoot(const Viewer& viewer, Panels& panels) {
+  const float status = drawStatus(viewer);
+  panels.endAbove(status - 0.8F * kTimeLine * size_);  // whether it is there or not: no panel jumps at a pause
+  const float bottom = drawTimeLine(viewer, status);
+  if (viewer.state() == RunState::Frozen) {
+    const Middle middle = middleBetween(panels, 0);  // the keys give way to it
+    const float top = drawFailure(viewer, middle, bottom);
+    if (!middle.free) panels.endAbove(top - 0.6F * size_);
+    if (viewer.note().empty()) return top;
+    drawPrompt(viewer, middle, top);
+    return top - kLine * size_;
+  }
   buttons_.hide();
-  drawPrompt(viewer, bottom);
+  drawPrompt(viewer, middleBetween(panels, viewer.showsHelp() ? float(margin()) : 0), bottom);
   return ImGui::GetIO().DisplaySize.y;
 }
 
@@ -86,26 +110,25 @@ float Hud::drawTimeLine(const Viewer& viewer, float bottom) {
   }
   const float width = ImGui::GetIO().DisplaySize.x;
   timeLine_.draw(penFor(viewer), {size_, bottom - 1.4F * size_}, {width - size_, bottom - 0.2F * size_}, viewer);
-  return bottom - 2 * size_;
+  return bottom - kTimeLine * size_;
 }
 
 /// Returns the height above which the window is free.
-float Hud::drawFailure(const Viewer& viewer, float bottom) {
+float Hud::drawFailure(const Viewer& viewer, const Middle& middle, float bottom) {
   const Pen pen = penFor(viewer);
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const std::vector<Buttons::Button> buttons = waysOut(viewer);
-  const float room = screen.x - 4 * size_;
+  const float room = middle.to - middle.from - 4 * size_;
   const ImVec2 extent = pen.extent(viewer.message(), room);
   const float row = Buttons::height(pen, buttons, room);
   const float width = std::max(extent.x, std::min(room, Buttons::width(pen, buttons)));
-  const ImVec2 at{0.5F * (screen.x - width), bottom - 0.6F * size_ - row - 0.5F * size_ - extent.y};
+  const ImVec2 at{0.5F * (middle.from + middle.to - width), bottom - 0.6F * size_ - row - 0.5F * size_ - extent.y};
   pen.shade({at.x - 0.5F * size_, at.y - 0.4F * size_}, {at.x + width + 0.5F * size_, bottom - 0.6F * size_});
   pen.write(at, coloursOn(pen.background).warning, viewer.message(), room);
   buttons_.draw(pen, {at.x, at.y + extent.y + 0.5F * size_}, buttons, room);
   return at.y - 0.4F * size_;
 }
 
-void Hud::drawPrompt(const Viewer& viewer, float bottom) const {
+void Hud::drawPrompt(const Viewer& viewer, const Middle& middle, float bottom) const {
   std::array<char, 1024> text{};
   Pen pen = penFor(viewer);
   ImU32 colour = coloursOn(pen.background).text;
@@ -113,8 +136,8 @@ void Hud::drawPrompt(const Viewer& viewer, float bottom) const {
     std::snprintf(text.data(), text.size(), format, values...);
   };
   const Timeline time = viewer.timeline();
-  const bool warns = !viewer.note().empty() || viewer.breaking();
-  if (!viewer.note().empty()) {
+  const bool noted = !viewer.note().empty(), warns = noted ? viewer.noteWarns() : viewer.breaking();
+  if (noted) {
     say("%s", viewer.note().c_str());
   } else if (viewer.state() == RunState::Waiting) {
     say("%s", "space to start");
@@ -133,11 +156,10 @@ void Hud::drawPrompt(const Viewer& viewer, float bottom) const {
   }
   if (warns) colour = coloursOn(pen.background).warning;
   const bool prompts = viewer.state() == RunState::Waiting || viewer.state() == RunState::Paused;
-  if (!warns && prompts) pen.font = large_, pen.size *= kLargeRatio;
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float wrap = screen.x - 4 * size_;
+  if (!noted && prompts) pen.font = large_, pen.size *= kLargeRatio;
+  const float wrap = middle.to - middle.from - 4 * size_;
   const ImVec2 extent = pen.extent(text.data(), wrap);
-  const ImVec2 at{0.5F * (screen.x - extent.x), bottom - 0.6F * size_ - extent.y};
+  const ImVec2 at{0.5F * (middle.from + middle.to - extent.x), bottom - 0.6F * size_ - extent.y};
   pen.shade(at, {at.x + extent.x, at.y + extent.y});
   pen.write(at, colour, text.data(), wrap);
 }

@@ -105,7 +105,7 @@ void Viewer::handle(const WindowEvent& event) {
         break;
     }
   } catch (const std::exception& error) {
-    note_ = error.what();
+    warn(error.what());
   }
 }
 
@@ -139,7 +139,7 @@ void Viewer::perform(InputAction action) {
   try {
     act(action);
   } catch (const std::exception& error) {
-    note_ = error.what();
+    warn(error.what());
   }
 }
 
@@ -234,7 +234,7 @@ void Viewer::beginPush(glm::vec2 cursor) {
   pushEnd_ = simulation_.ticks() + ticks;
   pushedAt_ = clock_();
   ++pushes_;
-  if (std::ranges::binary_search(sheet.pins, picked_)) note_ = "That particle is pinned: no push moves it.";
+  if (std::ranges::binary_search(sheet.pins, picked_)) note("That particle is pinned: no push moves it.");
 }
 
 void Viewer::keepPushing() {

@@ -74,10 +74,11 @@ class Viewer {
   void frame();
   /// Freezes and shows the text: for what is thrown by those who draw and log.
   void freeze(std::string message);
-  /// Shows the text until the next input.
-  void note(std::string text) { note_ = std::move(text); }
+  /// Shows the text until the next input: what was done, or that something is not as it was wanted.
+  void note(std::string text) { note_ = std::move(text), noteWarns_ = false; }
+  void warn(std::string text) { note_ = std::move(text), noteWarns_ = true; }
   /// Goes on with this scene: at once where the running simulation can (another method or step), else from the start.
-  /// Changes nothing and shows a note where the scene does not fit together. Returns what it took.
+  /// Changes nothing and warns where the scene does not fit together. Returns what it took.
   SceneChange use(const Scene& scene);
   /// Clicks push this many times as strongly as usual; > 0, clamped to 0.01..100.
   void setPushFactor(double factor);
@@ -104,6 +105,7 @@ class Viewer {
   [[nodiscard]] bool behind() const { return state_ == RunState::Running && pace_.behind; }
   [[nodiscard]] const std::string& message() const { return message_; }  ///< why it froze; empty else
   [[nodiscard]] const std::string& note() const { return note_; }
+  [[nodiscard]] bool noteWarns() const { return noteWarns_; }
   /// The ways out of a failure; nothing where the cloth did not freeze by its alarm.
   [[nodiscard]] const std::optional<Cure>& cure() const { return cure_; }
   [[nodiscard]] const Margin& margin() const { return stepMargin_.margin(); }
@@ -217,6 +219,7 @@ class Viewer {
   Pace pace_;
   double frameSeconds_ = 0, simulatingSeconds_ = 0;  ///< smoothed
   std::string message_, note_;
+  bool noteWarns_ = false;
   std::function<void(const PushLog&)> onRunEnd_;
 
   Camera camera_;

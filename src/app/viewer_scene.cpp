@@ -16,7 +16,7 @@ SceneChange Viewer::use(const Scene& scene) {
     if (change == SceneChange::Live) useLive(scene);
     if (change > SceneChange::Live) begin(scene, change == SceneChange::NewSheet);
   } catch (const std::exception& error) {
-    note_ = error.what();
+    warn(error.what());
     return SceneChange::None;
   }
   return change;

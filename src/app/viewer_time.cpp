@@ -192,7 +192,7 @@ void Viewer::startOver(Simulation fresh) {
   frameClock_.setTick(scene_.dt);
   state_ = RunState::Waiting;
   message_.clear();
-  note_ = trouble;
+  warn(trouble);
   held_.at(static_cast<std::size_t>(InputAction::Poke)) = false;
   pushEnd_ = 0;
   pushedAt_ = -1e9;

@@ -188,6 +188,18 @@ TEST(Ghost, SaysWhenTheHorizonHasPassed) {
   EXPECT_FALSE(ghost.gap()->means());
 }
 
+TEST(Ghost, SaysWhenRoundingHasMadeASecondMethodAnotherMotion) {
+  Scene scene = chaos();
+  scene.precision = Precision::Float;
+  Simulation live = liveOf(scene);
+  Ghost ghost(live, &findMethod("rk4"));
+  live.tick(100), followFully(ghost, live);
+  EXPECT_TRUE(ghost.gap()->means());  // two methods differ by more than rounding at first
+  for (int frame = 0; frame < 60 && std::isnan(ghost.horizon()); ++frame) live.tick(100), followFully(ghost, live);
+  EXPECT_GT(ghost.horizon(), 0.1);
+  EXPECT_LT(ghost.horizon(), ghost.time());
+}
+
 TEST(Ghost, HasTheFloorOfTheStudy) {
   Scene scene = withSheet(chaos(), 6, 6);
   scene.precision = Precision::Float, scene.duration = 1;

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
+#include <chrono>
 #include <set>
+#include <thread>
 
 #include "app/viewer.h"
 #include "tyg/methods.h"
@@ -40,6 +43,19 @@ class PanelsTest : public testing::Test {
   }
   bool pressMouse(double x, double y) {
     return panels_.handle({.kind = Kind::Press, .key = kLeftButton, .x = x, .y = y}, viewer_);
+  }
+
+  /// Rests there, goes down and comes up.
+  void click(float x, float y) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = {x, y}, frames(2);
+    io.MouseDown[0] = true, frames(1);
+    io.MouseDown[0] = false, frames(2);
+  }
+  static bool showsTooltip() {
+    return std::ranges::any_of(ImGui::GetCurrentContext()->Windows, [](const ImGuiWindow* window) {
+      return window->Active && (window->Flags & ImGuiWindowFlags_Tooltip) != 0;
+    });
   }
 
   struct Context {
@@ -109,6 +125,53 @@ TEST_F(PanelsTest, ControlAndZUndoesAndBothWaysRedo) {
 TEST_F(PanelsTest, KeysWithControlAreNotTheViewers) {
   EXPECT_TRUE(press('S', true));
   EXPECT_FALSE(press('S'));
+}
+
+TEST_F(PanelsTest, TheChartReadsOutThePointUnderTheCursorAndAClickTakesIt) {
+  viewer_.use(withSheet(loadScene("curtain", methodNames()), 4, 4));
+  panels_.toggle(InputAction::OpenChart);
+  frames();
+  EXPECT_FALSE(showsTooltip());
+  const Scene before = viewer_.scene();
+  const auto givenUp = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  // Where the points are is up to this machine's speed: the cursor goes over the plot until it finds one that holds.
+  for (int k = 0; viewer_.scene() == before; ++k) {
+    ASSERT_LT(std::chrono::steady_clock::now(), givenUp);
+    if (k % 500 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    const auto x = float(780 + (k * 37) % 420), y = float(150 + (k * 23) % 220);
+    ImGui::GetIO().MousePos = {x, y}, frames(2);
+    if (showsTooltip()) click(x, y);
+  }
+  EXPECT_TRUE(showsTooltip());
+  ImGui::GetIO().MousePos = {100, 600}, frames(3);
+  EXPECT_FALSE(showsTooltip());
+}
+
+TEST_F(PanelsTest, AClickOnARunningPlotGoesBackToItsMoment) {
+  for (const InputAction action : {InputAction::OpenEnergy, InputAction::OpenTraces}) {
+    panels_.toggle(action);
+    if (viewer_.state() != RunState::Running) viewer_.perform(InputAction::StartOrPause);
+    frames(90);
+    const double newest = viewer_.time();
+    ImGui::GetIO().MousePos = {1230, 140}, frames(2);
+    EXPECT_TRUE(showsTooltip());
+    click(1230, 140);
+    EXPECT_EQ(viewer_.state(), RunState::Paused);
+    EXPECT_LT(viewer_.time(), newest);
+    EXPECT_GT(viewer_.time(), newest - 1);
+    panels_.toggle(action);
+  }
+}
+
+TEST_F(PanelsTest, EndAboveWhatIsSaidBelowThem) {
+  panels_.toggle(InputAction::OpenControl);
+  panels_.endAbove(400);
+  frames();
+  EXPECT_TRUE(pressMouse(100, 390));
+  EXPECT_FALSE(pressMouse(100, 410));
+  panels_.endAbove(700);
+  frames();
+  EXPECT_TRUE(pressMouse(100, 410));
 }
 
 }  // namespace

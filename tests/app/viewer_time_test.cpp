@@ -239,6 +239,9 @@ TEST_F(ViewerTest, ARestartSurvivesARecordThatCannotBeKept) {
   EXPECT_EQ(viewer_.state(), RunState::Waiting);
   EXPECT_EQ(viewer_.time(), 0);
   EXPECT_EQ(viewer_.note(), "the disk is full");
+  EXPECT_TRUE(viewer_.noteWarns());
+  viewer_.note("curtain.toml is kept.");
+  EXPECT_FALSE(viewer_.noteWarns());
 }
 
 /// Starts nearly as it will hang, and loses all motion within seconds.

@@ -179,7 +179,7 @@ class ControlPanel final : public Panel {
     try {
       wanted = withSheet(wanted, size_[0], size_[1]);
     } catch (const InputError& error) {
-      viewer.note(error.what());
+      viewer.warn(error.what());
     }
   }
 
@@ -246,15 +246,15 @@ class ControlPanel final : public Panel {
       scope.edits.reset(viewer);
     }
     if (edited) wanted = viewer.scene();
-    if (button("Save .toml", "into the folder that tyg was started in", true)) viewer.note(save(viewer));
+    if (button("Save .toml", "into the folder that tyg was started in", true)) save(viewer);
     ImGui::NewLine();
   }
 
-  static std::string save(const Viewer& viewer) {
+  static void save(Viewer& viewer) {
     try {
-      return saveScene(viewer).string() + " is kept.";
+      viewer.note(saveScene(viewer).string() + " is kept.");
     } catch (const std::exception& error) {
-      return error.what();
+      viewer.warn(error.what());
     }
   }
 

@@ -42,7 +42,7 @@ class GhostPanel final : public Panel {
       ghost_->follow(live, secondsFor(viewer), [&viewer] { return viewer.now(); });
       if (beside_) shift(viewer);
     } catch (const std::exception& refusal) {  // a method that does not take this scene
-      viewer.note(refusal.what());
+      viewer.warn(refusal.what());
       ghost_.reset();
       second_ = nullptr;
     }
@@ -68,6 +68,7 @@ class GhostPanel final : public Panel {
 
   void draw(const PanelScope& scope) override {
     choose();
+    if (second_ != nullptr) swap(scope.viewer);
     if (ImGui::RadioButton("over the cloth", !beside_)) beside_ = false;
     ImGui::SameLine();
     if (ImGui::RadioButton("beside it", beside_)) beside_ = true;
@@ -98,6 +99,14 @@ class GhostPanel final : public Panel {
     }
     ImGui::EndCombo();
   }
+  /// The cloth goes on with the ghost's method, and the ghost has the cloth's.
+  void swap(Viewer& viewer) {
+    if (!ImGui::Button("swap with the cloth's method")) return;
+    const Method& cloths = viewer.method();
+    Scene wanted = viewer.scene();
+    wanted.integrator = second_->name;
+    if (viewer.use(wanted) != SceneChange::None) use(&cloths);
+  }
   void use(const Method* second) {
     second_ = second;
     ghost_.reset();
@@ -113,7 +122,7 @@ class GhostPanel final : public Panel {
     paragraph(formatted("distance: %.2g mm RMS, %.2g mm at most", 1e3 * gap->rms, 1e3 * gap->largest),
               scope.colours.text);
     if (coloured_ && top_ > 0) colourBar(scope, Ramp::Growing, 0, 1e3 * top_, "mm");
-    if (!ghost_->isReference() || ghost_->time() == 0) return;
+    if (ghost_->time() == 0) return;
     if (ghost_->horizon() <= gap->time) {
       return paragraph(
           formatted("The horizon passed at %.2f s: since then the cloth has made so much of rounding and of "

@@ -40,7 +40,7 @@ class Panel {
   Panel& operator=(const Panel&) = delete;
 
   /// Its widgets, once a frame while it is open, between ImGui's Begin and End. Throws nothing: what goes
-  /// wrong is said by Viewer::note.
+  /// wrong is said by Viewer::warn.
   virtual void draw(const PanelScope& scope) = 0;
   /// Once a frame while it is open, after the cloth has moved and before anything is drawn.
   virtual void follow(Viewer& /*viewer*/) {}

@@ -13,10 +13,9 @@ namespace {
 
 /// Of the window's width, at most, for a panel that stands at an edge: the cloth keeps the middle.
 constexpr float kWidestShare = 0.46F;
-/// From the window's edges, in text sizes: the title is above, the line of time and the status below.
-constexpr float kSide = 0.6F, kAbove = 2.4F, kBelow = 6, kBetween = 0.5F;
-constexpr float kBelowFailure = 12.5F;  ///< where a failure and its ways out stand below
-constexpr float kLowest = 6;            ///< a panel is at least this high before it gets a scroll bar, in text sizes
+/// From the window's edges, in text sizes: the title is above.
+constexpr float kSide = 0.6F, kAbove = 2.4F, kBetween = 0.5F;
+constexpr float kLowest = 6;  ///< a panel is at least this high before it gets a scroll bar, in text sizes
 
 std::size_t placeOf(InputAction action) {
   const auto table = panelTable();
@@ -134,7 +133,7 @@ void Panels::drawOne(std::size_t which, Viewer& viewer, float top) {
   Place& place = places_[which];
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float lowest = kLowest * size_, width = widthOf(kind);
-  const float bottom = screen.y - (viewer.state() == RunState::Frozen ? kBelowFailure : kBelow) * size_;
+  const float bottom = std::min(floor_, screen.y);
   // Where the edge is full, a panel lies over the others rather than below the window.
   const float y = std::max(std::min(top, bottom - std::max(place.height, lowest)), std::min(kAbove * size_, top));
   const float room = std::max(bottom - y, lowest);

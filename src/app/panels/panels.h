@@ -27,6 +27,8 @@ class Panels {
   void follow(Viewer& viewer);
   /// What the open panels show on the cloth, the one opened last on top.
   void paint(ClothPicture& picture);
+  /// Panels end above this height, pixels from the top of the window.
+  void endAbove(float y) { floor_ = y; }
   /// All open panels, between ImGui::NewFrame and ImGui::Render.
   void draw(Viewer& viewer);
 
@@ -51,6 +53,7 @@ class Panels {
   [[nodiscard]] float widthOf(const PanelKind& kind) const;
 
   float size_;
+  float floor_ = 1e6F;
   Edits edits_;
   std::vector<Place> places_;       ///< one for each line of the table
   std::vector<std::size_t> order_;  ///< of those open, last opened last

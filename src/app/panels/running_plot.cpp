@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "app/viewer.h"
+
 namespace tyg {
 namespace {
 
@@ -46,13 +48,25 @@ Text numberText(double value, double step) {
   return text;
 }
 
+/// One moment of the curves, beside the cursor.
+void readOut(const RunningSeries& series, std::size_t moment, std::span<const RunningCurve> curves) {
+  ImGui::BeginTooltip();
+  ImGui::Text("%.3f s", series.time(moment));
+  for (const RunningCurve& curve : curves) {
+    const ImVec4 ink = ImGui::ColorConvertU32ToFloat4(curve.colour);
+    ImGui::TextColored(ink, "%.4g", double(curve.scale) * double(series.value(moment, curve.channel)));
+  }
+  ImGui::TextUnformatted("click to go back to it");
+  ImGui::EndTooltip();
+}
+
 }  // namespace
 
 void runningPlot(const PanelScope& scope, const char* title, const RunningSeries& series,
                  std::span<const RunningCurve> curves, float height) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, small = kSmall * scope.size;
-  ImGui::Dummy({width, std::ceil(height)});
+  const bool clicked = ImGui::InvisibleButton(title, {width, std::ceil(height)});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ImFont* font = ImGui::GetFont();
   const auto write = [&](float x, float y, const char* text) {
@@ -93,6 +107,14 @@ void runningPlot(const PanelScope& scope, const char* title, const RunningSeries
     }
     list.PathStroke(curve.colour, 0, 1.8F);
   }
+  const float cursor = ImGui::GetMousePos().x;
+  if (!ImGui::IsItemHovered() || cursor < x(begin) || cursor > right) return;
+  std::size_t under = series.size() - 1;
+  while (under > 0 && x(series.time(under)) > cursor) --under;
+  const float at = x(series.time(under));
+  list.AddLine({at, top}, {at, bottom}, scope.colours.dim);
+  readOut(series, under, curves);
+  if (clicked) scope.viewer.turnToTime(series.time(under));
 }
 
 }  // namespace tyg

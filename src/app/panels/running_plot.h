@@ -16,7 +16,8 @@ struct RunningCurve {
   float scale = 1;
 };
 /// Draws the curves over the panel's width, `height` pixels high with the numbers at its axes; `title` says the
-/// quantity and its unit. The last sample is at the right.
+/// quantity and its unit, and names the widget. The last sample is at the right. A moment under the cursor is read out,
+/// and a click goes back to it.
 void runningPlot(const PanelScope& scope, const char* title, const RunningSeries& series,
                  std::span<const RunningCurve> curves, float height);
 
