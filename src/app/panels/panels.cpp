@@ -13,6 +13,7 @@ namespace {
 
 /// Of the window's width, at most, for a panel that stands at an edge: the cloth keeps the middle.
 constexpr float kWidestShare = 0.46F;
+constexpr float kNarrowest = 8;  ///< text sizes, in whatever window: ImGui takes no widget without a size
 /// From the window's edges, in text sizes: the title is above.
 constexpr float kSide = 0.6F, kAbove = 2.4F, kBetween = 0.5F;
 constexpr float kLowest = 6;  ///< a panel is at least this high before it gets a scroll bar, in text sizes
@@ -100,7 +101,8 @@ void Panels::paint(ClothPicture& picture) {
 }
 
 float Panels::widthOf(const PanelKind& kind) const {
-  return std::round(std::min(kind.width * size_, kWidestShare * ImGui::GetIO().DisplaySize.x));
+  const float share = std::max(kWidestShare * ImGui::GetIO().DisplaySize.x, kNarrowest * size_);
+  return std::round(std::min(kind.width * size_, share));
 }
 
 float Panels::width(Edge edge) const {
@@ -155,8 +157,10 @@ void Panels::drawOne(std::size_t which, Viewer& viewer, float top) {
   const ImVec2 at = ImGui::GetWindowPos();
   place.shownX = at.x, place.shownY = at.y;
   place.width = ImGui::GetWindowWidth(), place.height = ImGui::GetWindowHeight();
+  // ImGui itself moves a panel that would stand outside of a small window.
+  const bool byHand = ImGui::IsWindowFocused() && ImGui::IsMouseDragging(ImGuiMouseButton_Left);
   ImGui::End();
-  place.dragged = place.dragged || std::abs(at.x - place.x) > 1 || std::abs(at.y - place.y) > 1;
+  if (byHand && (std::abs(at.x - place.x) > 1 || std::abs(at.y - place.y) > 1)) place.dragged = true;
   if (!open) setOpen(which, false);
 }
 
