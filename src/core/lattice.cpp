@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace tyg {
 namespace {
@@ -15,6 +14,17 @@ double oneMinusCos(double q) {
 }
 
 }  // namespace
+
+std::array<std::complex<double>, 2> rootsOf(const Mode& mode) {
+  using Complex = std::complex<double>;
+  const double discriminant = mode.discriminant();
+  if (discriminant >= 0) {
+    const double fast = -(mode.d + std::sqrt(discriminant)) / 2;
+    return {Complex(fast, 0), Complex(fast < 0 ? mode.w2 / fast : 0, 0)};
+  }
+  const Complex upper(-mode.d / 2, std::sqrt(-discriminant) / 2);
+  return {upper, std::conj(upper)};
+}
 
 /// A symmetric 2x2 matrix.
 struct Lattice::Symbol {
@@ -83,18 +93,6 @@ std::array<Mode, 5> Lattice::modes(double qx, double qy) const {
   const std::array<double, 2> u = pull.direction();
   const double dFast = drag_ + damp.along(u), dSlow = drag_ + damp.along({-u[1], u[0]});
   return {{{fast, most}, {slow, most}, {0, drag_}, {fast, dFast}, {slow, dSlow}}};
-}
-
-std::vector<Mode> sampledModes(const Scene& scene, int intervals) {
-  const Lattice lattice(scene);
-  const double stride = std::numbers::pi / intervals;
-  std::vector<Mode> modes;
-  for (int j = 0; j <= (lattice.tall() ? intervals : 0); ++j) {
-    for (int i = 0; i <= (lattice.wide() ? intervals : 0); ++i) {
-      for (const Mode& mode : lattice.modes(i * stride, j * stride)) modes.push_back(mode);
-    }
-  }
-  return modes;
 }
 
 }  // namespace tyg

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <array>
+#include <complex>
 #include <cstddef>
 #include <limits>
 #include <numbers>
-#include <vector>
 
 #include "tyg/scene.h"
 
@@ -16,7 +16,14 @@ namespace tyg {
 struct Mode {
   double w2 = 0;  ///< 1/s2
   double d = 0;   ///< 1/s
+
+  /// Negative: the mode oscillates; else it creeps back.
+  [[nodiscard]] double discriminant() const { return d * d - 4 * w2; }
 };
+
+/// The two mu = (-d +- sqrt(d^2 - 4 w2)) / 2 of a mode's motions exp(mu t), 1/s: of real ones the faster first, the
+/// other from their product w2, where the difference would cancel; of a pair the one above the real axis first.
+std::array<std::complex<double>, 2> rootsOf(const Mode& mode);
 
 /// A wave of the lattice by its phases from column to column and from row to row, in [0, pi], and one of its modes.
 struct LatticeWave {
@@ -33,6 +40,15 @@ class Lattice {
   /// A lattice of one row or column carries waves along itself only.
   [[nodiscard]] bool wide() const { return wide_; }
   [[nodiscard]] bool tall() const { return tall_; }
+
+  /// Calls `visit(qx, qy)` for the waves of a grid of `intervals` + 1 phases an axis over [0, pi], row by row.
+  template <class Visit>
+  void forWaves(int intervals, const Visit& visit) const {
+    const double stride = std::numbers::pi / intervals;
+    for (int j = 0; j <= (tall_ ? intervals : 0); ++j) {
+      for (int i = 0; i <= (wide_ ? intervals : 0); ++i) visit(i * stride, j * stride);
+    }
+  }
 
   /// The modes of the wave with phase qx from column to column and qy from row to row, each in [0, pi]. In plane two;
   /// out of plane springs at rest do not pull and only damping is left. Under the axial law damping and stiffness need
@@ -69,22 +85,16 @@ class Lattice {
 template <class Measure>
 LatticeWave extremeWave(const Lattice& lattice, const Measure& reach) {
   constexpr int kIntervals = 16;
-  constexpr double kStride = std::numbers::pi / kIntervals;
   LatticeWave best;
   double farthest = -std::numeric_limits<double>::infinity();
-  for (int j = 0; j <= (lattice.tall() ? kIntervals : 0); ++j) {
-    for (int i = 0; i <= (lattice.wide() ? kIntervals : 0); ++i) {
-      for (const Mode& mode : lattice.modes(i * kStride, j * kStride)) {
-        if (reach(mode) <= farthest) continue;
-        farthest = reach(mode);
-        best = {i * kStride, j * kStride, mode};
-      }
+  lattice.forWaves(kIntervals, [&](double qx, double qy) {
+    for (const Mode& mode : lattice.modes(qx, qy)) {
+      if (reach(mode) <= farthest) continue;
+      farthest = reach(mode);
+      best = {qx, qy, mode};
     }
-  }
+  });
   return best;
 }
-
-/// The modes of all waves on a grid of `intervals` + 1 phases an axis over [0, pi].
-std::vector<Mode> sampledModes(const Scene& scene, int intervals);
 
 }  // namespace tyg

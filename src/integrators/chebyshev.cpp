@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "core/rest_spectrum.h"
@@ -27,18 +26,13 @@ Complex growthOf(const ChebyshevTable& table, const Complex& z) {
   return 1.0 + table.b[s] * (now - table.value[s]);
 }
 
-/// The distinct fast ends of the spectrum: conjugate roots grow alike.
-std::vector<Complex> rootsOf(std::span<const Mode> modes) {
+/// Of all modes, but for the lower ones of pairs: conjugate roots grow alike.
+std::vector<Complex> upperRootsOf(std::span<const Mode> modes) {
   std::vector<Complex> roots;
   for (const Mode& mode : modes) {
-    const double discriminant = mode.d * mode.d - 4 * mode.w2;
-    if (discriminant < 0) {
-      roots.emplace_back(-mode.d / 2, std::sqrt(-discriminant) / 2);
-    } else {
-      const double fast = -(mode.d + std::sqrt(discriminant)) / 2;
-      roots.emplace_back(fast, 0);
-      if (fast < 0) roots.emplace_back(mode.w2 / fast, 0);
-    }
+    const auto [first, second] = rootsOf(mode);
+    roots.push_back(first);
+    if (second.imag() == 0) roots.push_back(second);
   }
   return roots;
 }
@@ -89,24 +83,21 @@ Complex chebyshevGrowth(const ChebyshevStages& stages, Complex z) { return growt
 
 std::vector<Mode> chebyshevModes(const Scene& scene) {
   constexpr int kIntervals = 24;  // of the grid of phases, an axis
-  constexpr double kStride = std::numbers::pi / kIntervals;
   const Lattice lattice(scene);
   std::vector<Mode> all;
-  for (int j = 0; j <= (lattice.tall() ? kIntervals : 0); ++j) {
-    for (int i = 0; i <= (lattice.wide() ? kIntervals : 0); ++i) {
-      const std::array<Mode, 5> modes = lattice.modes(i * kStride, j * kStride);
-      const bool axial = scene.damping == Damping::Axial;
-      all.insert(all.end(), modes.begin(), axial ? modes.end() : modes.begin() + 3);  // the others repeat the first two
-      if (!axial) all.push_back(lattice.anyDeformation(i * kStride, j * kStride));
-    }
-  }
+  lattice.forWaves(kIntervals, [&](double qx, double qy) {
+    const std::array<Mode, 5> modes = lattice.modes(qx, qy);
+    const bool axial = scene.damping == Damping::Axial;
+    all.insert(all.end(), modes.begin(), axial ? modes.end() : modes.begin() + 3);  // the others repeat the first two
+    if (!axial) all.push_back(lattice.anyDeformation(qx, qy));
+  });
   addLeastDamped(scene, all);
   return all;
 }
 
 ChebyshevStages chebyshevStages(std::span<const Mode> modes, double h) {
   constexpr double kRounding = 1e-10;
-  std::vector<Complex> roots = rootsOf(modes);
+  std::vector<Complex> roots = upperRootsOf(modes);
   for (int s = 2; s <= kMostChebyshevStages; ++s) {
     for (const double eps : {2.0 / 13, 1.0, 4.0, 16.0, 64.0}) {
       const ChebyshevTable table({s, eps});

@@ -1,5 +1,6 @@
 // Explicit Euler (Euler 1768): position and velocity both move with what they were at the start of the step.
 #include "core/field_ops.h"
+#include "core/lattice.h"
 #include "integrators/make.h"
 #include "integrators/stable_step.h"
 
@@ -31,7 +32,7 @@ class ExplicitEuler final : public Integrator<T> {
 
 /// |1 + h mu| <= 1. Complex pair: |1 + h mu|^2 = 1 - h d + h^2 w2, so h <= d / w2; real: h <= 2 / |mu|.
 double stableStep(double w2, double d) {
-  const std::complex<double> mu = fastRoot(w2, d);
+  const std::complex<double> mu = rootsOf({w2, d})[0];
   if (mu.imag() != 0) return d / w2;
   return mu.real() == 0 ? kEveryStep : 2 / -mu.real();
 }

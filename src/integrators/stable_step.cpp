@@ -2,6 +2,9 @@
 #include "integrators/stable_step.h"
 
 #include <cmath>
+#include <complex>
+
+#include "core/lattice.h"
 
 namespace tyg {
 namespace {
@@ -16,12 +19,6 @@ double sizeOf(std::span<const double> growth, const Complex& z) {
 
 }  // namespace
 
-Complex fastRoot(double w2, double d) {
-  const double discriminant = d * d - 4 * w2;
-  if (discriminant >= 0) return {-(d + std::sqrt(discriminant)) / 2, 0};
-  return {-d / 2, std::sqrt(-discriminant) / 2};
-}
-
 double positiveRoot(double w2, double b) {
   if (w2 == 0 && b == 0) return kEveryStep;
   return 8 / (b + std::sqrt(b * b + 16 * w2));
@@ -29,7 +26,7 @@ double positiveRoot(double w2, double b) {
 
 // Along the ray through mu outward in small strides, then by bisection.
 double rungeKuttaLimit(std::span<const double> growth, double w2, double d) {
-  const Complex mu = fastRoot(w2, d);
+  const Complex mu = rootsOf({w2, d})[0];
   const double size = std::abs(mu);
   if (size == 0) return kEveryStep;
   if (!std::isfinite(size)) return 0;

@@ -2,7 +2,6 @@
 // Must not know: scenes, steppers.
 #pragma once
 
-#include <complex>
 #include <limits>
 #include <span>
 
@@ -11,13 +10,11 @@ namespace tyg {
 /// The limit of a mode that every step keeps bounded, s.
 inline constexpr double kEveryStep = std::numeric_limits<double>::infinity();
 
-/// The root mu = (-d +- sqrt(d^2 - 4 w2)) / 2 of larger magnitude (either of a complex pair), 1/s.
-std::complex<double> fastRoot(double w2, double d);
-
 /// The positive root of w2 h^2 + b h = 4, s: where |eigenvalues| of the step matrix of a leapfrog-like method reach 1.
 double positiveRoot(double w2, double b);
 
-/// The first step (s) at which a Runge-Kutta method grows, |R(h mu)| > 1; `growth` holds the coefficients of z^0, z^1,
+/// The first step (s) at which a Runge-Kutta method grows, |R(h mu)| > 1 for the faster root mu; `growth` holds the
+/// coefficients of z^0, z^1,
 /// ... of R(z), by which y' = mu y grows over a step with z = h mu.
 double rungeKuttaLimit(std::span<const double> growth, double w2, double d);
 

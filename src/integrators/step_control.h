@@ -12,7 +12,10 @@ namespace tyg {
 inline double firstStep(const Scene& scene) {
   constexpr int kIntervals = 8;
   double fastest = 0;
-  for (const Mode& mode : sampledModes(scene, kIntervals)) fastest = std::max({fastest, std::sqrt(mode.w2), mode.d});
+  const Lattice lattice(scene);
+  lattice.forWaves(kIntervals, [&](double qx, double qy) {
+    for (const Mode& mode : lattice.modes(qx, qy)) fastest = std::max({fastest, std::sqrt(mode.w2), mode.d});
+  });
   const double step = 0.1 / fastest;
   return step > 0 && step < scene.duration ? step : 0.01 * scene.duration;
 }

@@ -19,12 +19,8 @@ constexpr double kEveryStep = std::numeric_limits<double>::infinity();
 
 double finiteOrNone(double step) { return std::isfinite(step) ? step : kNone; }
 
-bool isOverdamped(const Mode& mode) { return mode.d * mode.d > 4 * mode.w2; }
-
 /// The magnitude of the larger root of a mode, 1/s.
-double fastRate(const Mode& mode) {
-  return isOverdamped(mode) ? (mode.d + std::sqrt(mode.d * mode.d - 4 * mode.w2)) / 2 : std::sqrt(mode.w2);
-}
+double fastRate(const Mode& mode) { return mode.discriminant() > 0 ? -rootsOf(mode)[0].real() : std::sqrt(mode.w2); }
 
 /// The mode of a wave that limits a method, as an index into Lattice::modes.
 std::size_t limitingMode(const Method& method, const std::array<Mode, 5>& modes) {
@@ -43,7 +39,7 @@ std::size_t limitingMode(const Method& method, const std::array<Mode, 5>& modes)
 
 /// The wave of the lattice at rest that limits a method that has a limit of modes.
 LowestWave restWave(const Lattice& lattice, const Method& method) {
-  return lowestWave(lattice.wide(), lattice.tall(), [&](double qx, double qy) {
+  return lowestWave(lattice, [&](double qx, double qy) {
     const std::array<Mode, 5> modes = lattice.modes(qx, qy);
     const Mode& mode = modes.at(limitingMode(method, modes));
     return method.stableStep(mode.w2, mode.d);
@@ -119,7 +115,7 @@ double restLatticeLimit(const Scene& scene, const Method& method) {
 double certifiedLimit(const Scene& scene, const Method& method) {
   if (method.stableStep == nullptr) return kNone;
   const Lattice lattice(scene);
-  const auto over = [&](const WaveFunction& function) { return lowestWave(lattice.wide(), lattice.tall(), function); };
+  const auto over = [&](const WaveFunction& function) { return lowestWave(lattice, function); };
   const double mostD = -over([&](double qx, double qy) { return -lattice.anyDeformation(qx, qy).d; }).value;
   if (hasStraightLevelLines(method, mostD)) {
     return finiteOrNone(
@@ -142,7 +138,7 @@ StepLimit stepLimit(const Scene& scene, const Method& method, bool quick) {
         extremeWave(lattice, [&](const Mode& mode) { return byStages ? fastRate(mode) : mode.w2; });
     limit.qx = wave.qx, limit.qy = wave.qy, limit.mode = wave.mode;
     limit.outOfPlane = byStages && wave.mode.w2 == 0;
-    limit.byDamping = byStages && isOverdamped(wave.mode);
+    limit.byDamping = byStages && wave.mode.discriminant() > 0;
     return limit;
   }
   const LowestWave wave = restWave(lattice, method);

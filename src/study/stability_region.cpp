@@ -38,10 +38,7 @@ std::vector<std::complex<double>> sceneRoots(const Scene& scene) {
     for (int i = 0; i < columns; ++i) {
       const auto modes = lattice.modes((i + 0.5) * std::numbers::pi / columns, (j + 0.5) * std::numbers::pi / rows);
       for (const std::size_t k : {0U, 1U, 2U}) {
-        const auto [w2, d] = modes.at(k);
-        const std::complex<double> half = std::sqrt(std::complex<double>(d * d / 4 - w2, 0));
-        roots.push_back(-d / 2 + half);
-        roots.push_back(-d / 2 - half);
+        for (const std::complex<double>& mu : rootsOf(modes.at(k))) roots.push_back(mu);
       }
     }
   }

@@ -34,12 +34,9 @@ class WaveGrid {
   static constexpr int kIntervals = 16;
   static constexpr double kStride = std::numbers::pi / kIntervals;
 
-  WaveGrid(bool wide, bool tall, const WaveFunction& function)
-      : lastX_(wide ? kIntervals : 0), lastY_(tall ? kIntervals : 0) {
-    for (int j = 0; j <= lastY_; ++j) {
-      for (int i = 0; i <= lastX_; ++i)
-        waves_.push_back({i * kStride, j * kStride, function(i * kStride, j * kStride)});
-    }
+  WaveGrid(const Lattice& lattice, const WaveFunction& function)
+      : lastX_(lattice.wide() ? kIntervals : 0), lastY_(lattice.tall() ? kIntervals : 0) {
+    lattice.forWaves(kIntervals, [&](double qx, double qy) { waves_.push_back({qx, qy, function(qx, qy)}); });
   }
 
   [[nodiscard]] std::vector<LowestWave> valleys() const {
@@ -71,8 +68,8 @@ class WaveGrid {
 
 }  // namespace
 
-LowestWave lowestWave(bool wide, bool tall, const WaveFunction& function) {
-  std::vector<LowestWave> valleys = WaveGrid(wide, tall, function).valleys();
+LowestWave lowestWave(const Lattice& lattice, const WaveFunction& function) {
+  std::vector<LowestWave> valleys = WaveGrid(lattice, function).valleys();
   // The deepest few: a shallow valley does not become the deepest one between two grid points.
   constexpr std::size_t kStarts = 4;
   std::ranges::sort(valleys, {}, &LowestWave::value);

@@ -4,6 +4,8 @@
 
 #include <functional>
 
+#include "core/lattice.h"
+
 namespace tyg {
 
 using WaveFunction = std::function<double(double qx, double qy)>;
@@ -13,8 +15,9 @@ struct LowestWave {
   double value = 0;
 };
 
-/// The smallest value of a continuous function over all waves; phases of a direction the lattice does not have stay 0.
-/// A grid of 17 phases an axis finds the valleys, from the deepest of which a descent goes on to strides of 1e-4.
-LowestWave lowestWave(bool wide, bool tall, const WaveFunction& function);
+/// The smallest value of a continuous function over all waves of the lattice; phases of a direction the lattice does
+/// not have stay 0. A grid of 17 phases an axis finds the valleys, from the deepest of which a descent goes on to
+/// strides of 1e-4.
+LowestWave lowestWave(const Lattice& lattice, const WaveFunction& function);
 
 }  // namespace tyg
