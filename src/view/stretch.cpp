@@ -27,7 +27,8 @@ std::array<Offset, 2> offsetsOf(Family family) {
 }  // namespace
 
 Stretch stretchOf(const Sheet& sheet, std::span<const float> xyz, Family family) {
-  double sum = 0, longest = 0, shortest = std::numeric_limits<double>::infinity();
+  const double rest = restLength(sheet, family);
+  double sum = 0, squares = 0, largest = -1, smallest = std::numeric_limits<double>::infinity();
   long long springs = 0;
   const auto coordinate = [&](int particle, int axis) {
     return double(xyz[3 * std::size_t(particle) + std::size_t(axis)]);
@@ -38,16 +39,16 @@ Stretch stretchOf(const Sheet& sheet, std::span<const float> xyz, Family family)
         const int a = row * sheet.columns + column, b = a + offset.rows * sheet.columns + offset.columns;
         double square = 0;
         for (const int axis : {0, 1, 2}) square += std::pow(coordinate(b, axis) - coordinate(a, axis), 2);
-        const double length = std::sqrt(square);
-        sum += length;
-        longest = std::max(longest, length), shortest = std::min(shortest, length);
+        const double strain = std::sqrt(square) / rest - 1;
+        sum += strain, squares += strain * strain;
+        largest = std::max(largest, strain), smallest = std::min(smallest, strain);
         ++springs;
       }
     }
   }
   if (springs == 0) return {};
-  const double rest = restLength(sheet, family);
-  return {.mean = sum / (double(springs) * rest) - 1, .largest = longest / rest - 1, .smallest = shortest / rest - 1};
+  const auto count = double(springs);
+  return {.mean = sum / count, .rms = std::sqrt(squares / count), .largest = largest, .smallest = smallest};
 }
 
 }  // namespace tyg

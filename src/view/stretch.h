@@ -11,6 +11,7 @@ namespace tyg {
 /// Strains (length over rest length, less 1) of a family's springs; all 0 where it has none.
 struct Stretch {
   double mean = 0;      ///< of all, shortened ones negative
+  double rms = 0;       ///< of all
   double largest = 0;   ///< of the most stretched
   double smallest = 0;  ///< of the most shortened, > -1
 };

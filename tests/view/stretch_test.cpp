@@ -42,6 +42,7 @@ TEST(Stretch, TellsTheLargestTheSmallestAndTheMean) {
   EXPECT_NEAR(stretch.largest, 0.2, kRounding);
   EXPECT_NEAR(stretch.smallest, -0.1, kRounding);
   EXPECT_NEAR(stretch.mean, (9 * 0.2 - 8 * 0.1) / 17, kRounding);  // 9 springs across, 8 down
+  EXPECT_NEAR(stretch.rms, std::sqrt((9 * 0.04 + 8 * 0.01) / 17), kRounding);
 }
 
 TEST(Stretch, AgreesWithTheListedSprings) {

@@ -27,7 +27,7 @@ void colourBar(const PanelScope& scope, Ramp ramp, double low, double high, cons
   }
   for (const int k : {0, 1, 2}) {
     std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), "%.3g %s", low + 0.5 * k * (high - low), unit);
+    std::snprintf(text.data(), text.size(), "%.3g %s", low + 0.5 * k * (high - low), k == 1 ? "" : unit);
     const float extent = ImGui::GetFont()->CalcTextSizeA(small, 1e6F, 0, text.data()).x;
     list.AddText(ImGui::GetFont(), small, {at.x + 0.5F * float(k) * (width - extent), at.y + 1.15F * thick},
                  scope.colours.dim, text.data());

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "app/panels/colour_bar.h"
 #include "app/panels/paragraph.h"
@@ -25,14 +26,17 @@ class StretchPanel final : public Panel {
  public:
   void follow(Viewer& viewer) override {
     const Simulation& simulation = viewer.simulation();
-    double most = 0;
+    double most = 0, typical = 0;
     for (std::size_t k = 0; k < kFamilies.size(); ++k) {
       stretches_.at(k) = {};
       if (!springsOf(simulation.scene(), kFamilies.at(k)).present()) continue;
       stretches_.at(k) = stretchOf(simulation.sheet(), viewer.positions(), kFamilies.at(k));
       most = std::max({most, stretches_.at(k).largest, -stretches_.at(k).smallest});
+      typical = std::max(typical, stretches_.at(k).rms);
     }
-    top_ = steadyTop(top_, std::max(most, kLeastTop));
+    // A few springs at a pin would leave all others grey.
+    top_ = steadyTop(top_, std::max(std::min(most, 2 * typical), kLeastTop));
+    beyond_ = most > top_;
   }
 
   void paint(ClothPicture& picture) override {
@@ -42,7 +46,7 @@ class StretchPanel final : public Panel {
   }
 
   void draw(const PanelScope& scope) override {
-    colourBar(scope, Ramp::Balanced, -100 * top_, 100 * top_, "%");
+    colourBar(scope, Ramp::Balanced, -100 * top_, 100 * top_, beyond_ ? "% and beyond" : "%");
     table(scope);
     paragraph("Springs that are longer than at rest are warm, shorter ones cold.", scope.colours.dim);
   }
@@ -65,14 +69,15 @@ class StretchPanel final : public Panel {
       ImGui::TextUnformatted(kNames.at(k));
       for (const double strain : {stretch.mean, stretch.largest, stretch.smallest}) {
         ImGui::TableNextColumn();
-        ImGui::Text("%+.2f", 100 * strain);
+        ImGui::Text("%+.2f", std::abs(strain) < kLeastTop / 2 ? 0.0 : 100 * strain);  // no -0.00
       }
     }
     ImGui::EndTable();
   }
 
   std::array<Stretch, kFamilies.size()> stretches_{};
-  double top_ = 0;  ///< strain at both ends of the colours
+  double top_ = 0;       ///< strain at both ends of the colours
+  bool beyond_ = false;  ///< some springs are past the ends
 };
 
 }  // namespace
