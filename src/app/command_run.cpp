@@ -13,6 +13,7 @@
 #include "app/progress.h"
 #include "app/run_report.h"
 #include "app/sample_file.h"
+#include "core/text.h"
 #include "study/stability.h"
 #include "tyg/methods.h"
 
@@ -71,7 +72,7 @@ Scene loggedScene(const PushLog& log) {
 bool sameCloth(Scene scene, const Scene& other) {
   scene.name = other.name, scene.title = other.title, scene.shows = other.shows;
   scene.integrator = other.integrator, scene.dt = other.dt, scene.precision = other.precision;
-  scene.duration = other.duration;
+  scene.tolerance = other.tolerance, scene.duration = other.duration;
   return scene == other;
 }
 
@@ -91,9 +92,12 @@ Scene fitted(Scene scene, const SceneOptions& options, const PushLog& log) {
   const std::string precision(nameOf(log.precision));
   mustAgree("--precision", options.precision, precision, precision);
   mustAgree("--integrator", options.integrator, log.integrator, log.integrator);
-  std::ostringstream dt;
-  dt << log.dt << " s";
-  mustAgree("--dt", options.dt, log.dt, dt.str());
+  mustAgree("--dt", options.dt, log.dt, formatted("%g s", log.dt));
+  if (!log.sceneText.empty()) {
+    const double tolerance = loggedScene(log).tolerance;
+    mustAgree("--tolerance", options.tolerance, tolerance, formatted("%g m", tolerance));
+    scene.tolerance = tolerance;
+  }
   scene.precision = log.precision;
   scene.integrator = findMethod(log.integrator).name;
   scene.dt = log.dt;
@@ -223,8 +227,8 @@ void addRunCommand(CLI::App& app, Action& action) {
   command->add_flag("--ledger", options->ledger, "Follow the dissipated energy too, and report the ledger's drift");
   command->add_flag("--keep-going", options->keepGoing, "Run on past the instability alarm and leave with 0");
   auto* replay = command->add_option("--replay", options->replay,
-                                     "Do again what tyg view --record logged, with the log's method, step and "
-                                     "precision; without SCENE on its own scene");
+                                     "Do again what tyg view --record logged, with the log's method, step, "
+                                     "tolerance and precision; without SCENE on its own scene");
   replay->type_name("LOG")->excludes(out)->excludes(samples)->excludes(command->get_option("--duration"));
   command->add_flag("--json", options->json, "Print one JSON object instead of the summary, after a failure too");
   command->add_flag("--verbose", options->verbose, "First say on standard error what is simulated, and how");

@@ -288,7 +288,9 @@ void addViewCommand(CLI::App& app, Action& action) {
     return checkPair(text, kMostPixels, "width x height in pixels, such as 1280x720");
   };
   command->add_option("--window", options->window, "Library that opens the window [glfw]")
-      ->check(CLI::IsMember({"glfw", "glut"}))
+      ->check([](const std::string& text) {
+        return checkOneOf(text, {"glfw", "glut"});
+      })
       ->type_name("glfw|glut");
   command->add_option("--size", options->size, "Pixels of the window [1280x720]")->check(size)->type_name("WxH");
   command->add_option("--ui-scale", options->uiScale, "Size of the text, on top of the screen's own scale [1]")

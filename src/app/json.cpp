@@ -1,9 +1,9 @@
 // JSON output (RFC 8259).
 #include "app/json.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
+
+#include "core/text.h"
 
 namespace tyg {
 namespace {
@@ -53,9 +53,7 @@ std::string jsonString(std::string_view text) {
 
 std::string jsonNumber(double number) {
   if (!std::isfinite(number)) return "null";
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-  return {digits.data(), end};
+  return shortNumber(number);
 }
 
 void JsonObject::addRaw(std::string_view key, std::string_view json) {

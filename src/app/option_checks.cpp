@@ -1,10 +1,13 @@
 // Checks of option values. Numbers are read by from_chars: the same whatever the locale.
 #include "app/option_checks.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
 #include <string_view>
+
+#include "core/text.h"
 
 namespace tyg {
 namespace {
@@ -40,6 +43,10 @@ std::string checkNotNegative(const std::string& text, const std::string& meaning
 std::string checkCount(const std::string& text, int highest, const std::string& meaning) {
   if (isCount(wholeTextAs<int>(text), highest)) return {};
   return complaint(text, "a whole number from 1 to " + std::to_string(highest) + ": " + meaning);
+}
+
+std::string checkOneOf(const std::string& text, const std::vector<std::string>& words) {
+  return std::ranges::find(words, text) != words.end() ? "" : complaint(text, joined(words));
 }
 
 std::string checkPair(const std::string& text, int highest, const std::string& meaning) {

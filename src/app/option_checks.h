@@ -17,6 +17,8 @@ std::string checkPositive(const std::string& text, const std::string& meaning);
 std::string checkNotNegative(const std::string& text, const std::string& meaning);
 /// A whole number in [1, highest].
 std::string checkCount(const std::string& text, int highest, const std::string& meaning);
+/// One of these words.
+std::string checkOneOf(const std::string& text, const std::vector<std::string>& words);
 /// Two whole numbers in [1, highest] with an x between them, such as 20x30.
 std::string checkPair(const std::string& text, int highest, const std::string& meaning);
 

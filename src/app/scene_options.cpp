@@ -13,11 +13,6 @@ namespace {
 constexpr int kMostParticlesAlongASide = 4096;
 constexpr int kMostThreads = 1024;
 
-std::string checkPrecision(const std::string& text) {
-  if (text == "float" || text == "double") return {};
-  return "found '" + text + "', allowed is float or double";
-}
-
 void addNumbers(CLI::App& command, SceneOptions& options) {
   const auto seconds = [](const std::string& text) { return checkPositive(text, "seconds, such as 0.002"); };
   const auto metres = [](const std::string& text) { return checkPositive(text, "metres, such as 1e-4"); };
@@ -58,7 +53,9 @@ void addSceneOptions(CLI::App& command, SceneOptions& options, bool sceneRequire
   command
       .add_option("--precision", options.precision,
                   "Numbers of 32 bits (float: faster) or of 64 (double: exacter) [the scene's]")
-      ->check(checkPrecision)
+      ->check([](const std::string& text) {
+        return checkOneOf(text, {"float", "double"});
+      })
       ->type_name("float|double")
       ->group("Scene");
   const auto sheet = [](const std::string& text) {

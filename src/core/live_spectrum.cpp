@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/field_ops.h"
+#include "core/noise.h"
 
 namespace tyg {
 namespace {
@@ -21,12 +22,6 @@ constexpr double kNothingNew = 1e-4;  // of a product outside the earlier ones: 
 Scene withoutWeight(Scene scene) {
   scene.gravity = {};
   return scene;
-}
-
-/// -1 to 1 from a linear congruential generator (Numerical Recipes' constants), the same on every machine.
-double noise(std::uint32_t& seed) {
-  seed = 1664525U * seed + 1013904223U;
-  return double(seed >> 8) / double(1U << 23) - 1;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "core/scene_writer.h"
+#include "core/text.h"
 
 namespace tyg {
 namespace {
@@ -19,13 +20,6 @@ constexpr std::size_t kColumnCount = 9;
 constexpr std::string_view kSceneMark = "##";
 constexpr std::array<std::string_view, 8> kKeys = {"scene", "columns",   "rows",  "integrator",
                                                    "dt",    "precision", "ticks", "hash"};
-
-/// 17 significant digits bring every double back, in every locale.
-std::string textOf(double number) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 17);
-  return {text.data(), end.ptr};
-}
 
 /// An event that keeps numbers in the fields of a push's force: how many, and the lowest that they may be.
 struct Change {
@@ -46,19 +40,19 @@ std::string lineOf(const LogEvent& event) {
   const std::array<double, 3> numbers{event.force.x, event.force.y, event.force.z};
   switch (event.kind) {
     case LogEvent::Kind::Push:
-      return tick + ",push," + std::to_string(event.particle) + ',' + textOf(event.force.x) + ',' +
-             textOf(event.force.y) + ',' + textOf(event.force.z) + ',' + std::to_string(event.ticks) + ",,";
+      return tick + ",push," + std::to_string(event.particle) + ',' + longNumber(event.force.x) + ',' +
+             longNumber(event.force.y) + ',' + longNumber(event.force.z) + ',' + std::to_string(event.ticks) + ",,";
     case LogEvent::Kind::Method:
       return tick + ",method,,,,,," + event.method + ',';
     case LogEvent::Kind::Step:
-      return tick + ",step,,,,,,," + textOf(event.dt);
+      return tick + ",step,,,,,,," + longNumber(event.dt);
     default:
       break;
   }
   const auto change =
       std::find_if(kChanges.begin(), kChanges.end(), [&](const Change& c) { return c.kind == event.kind; });
   std::string line = tick + ',' + std::string(change->name) + ',';
-  for (std::size_t k = 0; k < numbers.size(); ++k) line += ',' + (k < change->count ? textOf(numbers[k]) : "");
+  for (std::size_t k = 0; k < numbers.size(); ++k) line += ',' + (k < change->count ? longNumber(numbers[k]) : "");
   return line + ",,,";
 }
 
@@ -263,7 +257,7 @@ PushLog beginLog(const Scene& scene, std::string_view integrator) {
 std::string formatPushLog(const PushLog& log) {
   std::string text = "# scene = " + log.scene + "\n# columns = " + std::to_string(log.columns) +
                      "\n# rows = " + std::to_string(log.rows) + "\n# integrator = " + log.integrator +
-                     "\n# dt = " + textOf(log.dt) + "\n# precision = " + nameOf(log.precision) +
+                     "\n# dt = " + longNumber(log.dt) + "\n# precision = " + nameOf(log.precision) +
                      "\n# ticks = " + std::to_string(log.ticks) + "\n# hash = " + log.hash + '\n';
   for (std::string_view rest = log.sceneText; !rest.empty();) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());

@@ -4,8 +4,6 @@
 #include "core/text.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -18,9 +16,7 @@ constexpr const char* kPlaces = "an array of particles or sets, each by name or 
 
 /// The shortest digits that mean this number, with a point where the file's number had one.
 std::string textOf(double number) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), number);
-  const std::string digits(text.data(), end.ptr);
+  const std::string digits = shortNumber(number);
   return digits.find_first_of(".eni") == std::string::npos ? digits + ".0" : digits;
 }
 

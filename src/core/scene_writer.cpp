@@ -2,9 +2,9 @@
 #include "core/scene_writer.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
+
+#include "core/text.h"
 
 namespace tyg {
 namespace {
@@ -12,9 +12,7 @@ namespace {
 constexpr std::size_t kUnitColumn = 25;  // where the comments begin
 
 std::string numberText(double number) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-  std::string text{digits.data(), end};
+  std::string text = shortNumber(number);
   // Whole numbers without a point are TOML integers, of 64 bits and without a negative zero.
   constexpr double kWholeUpTo = 1e15;
   const bool isInteger = text.find_first_of(".en") == std::string::npos;

@@ -1,6 +1,8 @@
 // See text.h.
 #include "core/text.h"
 
+#include <array>
+#include <charconv>
 #include <cstdarg>
 #include <cstdio>
 
@@ -15,6 +17,17 @@ std::string formatted(const char* format, ...) {
   std::vsnprintf(text.data(), text.size() + 1, format, again);
   va_end(again);
   return text;
+}
+
+std::string shortNumber(double number) {
+  std::array<char, 32> digits{};
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr};
+}
+
+std::string longNumber(double number) {
+  std::array<char, 32> digits{};
+  const auto general = std::chars_format::general;
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number, general, 17).ptr};
 }
 
 }  // namespace tyg

@@ -10,6 +10,11 @@ namespace tyg {
 /// What printf would print, however long.
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
 
+/// A number for files, the same whatever the locale: the fewest digits that read back as the number itself, and always
+/// 17 significant ones, which do too.
+std::string shortNumber(double number);
+std::string longNumber(double number);
+
 /// `a, b, c`: the items, or what `wordOf` makes of each.
 template <class Items, class WordOf = std::identity>
 std::string joined(const Items& items, WordOf wordOf = {}) {

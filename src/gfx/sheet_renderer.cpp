@@ -153,8 +153,8 @@ SheetRenderer::Body::Body(const Sheet& of)
   GLint most = 0;
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
   if (numbers > most) {
-    throw std::runtime_error("this graphics driver draws at most " + std::to_string(most / 3 - kArrowPoints) +
-                             " particles; the sheet has " + std::to_string(sheet.count()));
+    throw InputError("sheet: found " + std::to_string(sheet.count()) + " particles, allowed: up to " +
+                     std::to_string(most / 3 - kArrowPoints) + ", as this graphics driver draws no more");
   }
   glBindBuffer(GL_ARRAY_BUFFER, positions.name());
   glBufferData(GL_ARRAY_BUFFER, numbers * GLsizeiptr{sizeof(float)}, nullptr, GL_STREAM_DRAW);

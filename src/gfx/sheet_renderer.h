@@ -48,8 +48,8 @@ struct ShownPush {
 /// it sets them; it relies on no state but the bound framebuffer.
 class SheetRenderer {
  public:
-  /// Throws std::runtime_error with the driver's log where a shader does not compile, or where the driver cannot hold
-  /// so large a sheet. `sheet` is copied.
+  /// Throws std::runtime_error with the driver's log where a shader does not compile, and InputError where the driver
+  /// cannot hold so large a sheet. `sheet` is copied.
   explicit SheetRenderer(const Sheet& sheet);
   ~SheetRenderer();
   SheetRenderer(const SheetRenderer&) = delete;

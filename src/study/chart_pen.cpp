@@ -5,6 +5,24 @@
 
 namespace tyg {
 
+void namePictures(std::ostream& out, const std::string& name) {
+  for (const char* kind : {"svg", "png"}) {
+    out << "if (!exists('" << kind << "')) " << kind << " = '" << name << "." << kind << "'\n";
+  }
+}
+
+void beginPictures(std::ostream& out, double width, double height, int letters) {
+  out << "do for [kind in 'svg png'] {\n"
+      << "  if (kind eq 'svg') { set terminal svg size " << width << "," << height
+      << " dynamic enhanced background '#ffffff' font 'DejaVu Sans," << letters
+      << "' } else { set terminal pngcairo size " << width << "," << height
+      << " enhanced background '#ffffff' font 'DejaVu Sans,17' }\n"
+      << "  set output kind eq 'svg' ? svg : png\n  set multiplot\n"
+      << kChartFrame << "  unset key\n";
+}
+
+void endPictures(std::ostream& out) { out << "  unset multiplot\n  unset output\n}\n"; }
+
 std::string ChartPen::screen(const Pixel& at) const {
   std::ostringstream text;
   text << "screen " << at.x / width_ << "," << 1 - at.y / height_;

@@ -1,5 +1,5 @@
-// gnuplot's commands for texts, lines, areas and points at given pixels of a picture: what it cannot lay out itself.
-// Must not know: what is charted.
+// gnuplot's commands for texts, lines, areas and points at given pixels of a picture, which it cannot lay out itself,
+// and what the scripts of all charts begin and end with. Must not know: what is charted.
 #pragma once
 
 #include <sstream>
@@ -9,8 +9,18 @@
 
 namespace tyg {
 
-/// Writes `set` commands that the next `plot` draws. They stand in a loop over the terminals svg and pngcairo whose
-/// variable is `kind`.
+/// Names the two pictures that a script draws, where its caller has not: NAME.svg and NAME.png.
+void namePictures(std::ostream& out, const std::string& name);
+/// Opens a loop over the terminals svg and pngcairo, whose variable is `kind`, in pixels, with what all charts look
+/// like; `letters`: pixels of the font in the SVG.
+void beginPictures(std::ostream& out, double width, double height, int letters = 23);
+void endPictures(std::ostream& out);
+/// `set` commands for the border and the tics of a chart.
+inline constexpr const char* kChartFrame =
+    "  set border 3 lc '#444444' lw 1.5\n  set tics out nomirror textcolor '#222222'\n";
+
+/// Writes `set` commands that the next `plot` draws. They stand between beginPictures() and
+/// endPictures().
 class ChartPen {
  public:
   ChartPen(std::ostream& out, double width, double height) : out_(out), width_(width), height_(height) {}

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/noise.h"
 #include "tyg/simulation.h"
 
 namespace tyg {
@@ -55,10 +56,7 @@ Scene linearRegime(Scene scene) {
   scene.displacements.clear();
   scene.precision = Precision::Double;
   std::uint32_t seed = 1;
-  const auto some = [&] {  // Numerical Recipes' linear congruential generator: the same on every machine
-    seed = 1664525U * seed + 1013904223U;
-    return 1e-4 * scene.spacing * (double(seed >> 8) / double(1U << 23) - 1);
-  };
+  const auto some = [&] { return 1e-4 * scene.spacing * noise(seed); };
   const Sheet sheet = makeSheet(scene);
   for (int particle = 0; particle < sheet.count(); ++particle) {
     const double x = some(), y = some(), z = some();

@@ -20,7 +20,6 @@ constexpr int kPanelsAcross = 3;
 constexpr const char* kInk = "#222222";
 constexpr const char* kGrey = "#666666";
 constexpr const char* kRegion = "#d9e6f2";
-constexpr const char* kFrame = "  set border 3 lc '#444444' lw 1.5\n  set tics out nomirror textcolor '#222222'\n";
 
 struct Quantity {
   const char* words;
@@ -58,20 +57,16 @@ class Script {
   std::string text() {
     out_.precision(8);
     out_ << "# Step limits of " << study_.scene.name << ". Draws svg and png, which are file names: by hand\n"
-         << "#   gnuplot stability.gp\n"
-         << "if (!exists('svg')) svg = 'stability.svg'\nif (!exists('png')) png = 'stability.png'\n";
+         << "#   gnuplot stability.gp\n";
+    namePictures(out_, "stability");
     limitData();
     const std::vector<std::complex<double>> roots = sceneRoots(study_.scene);
     for (std::size_t k = 0; k < panels_.size(); ++k) regionData(k, roots);
-    out_ << "do for [kind in 'svg png'] {\n"
-         << "  if (kind eq 'svg') { set terminal svg size " << kWidth << "," << height_
-         << " dynamic enhanced background '#ffffff' font 'DejaVu Sans,23' } else { set terminal pngcairo size "
-         << kWidth << "," << height_ << " enhanced background '#ffffff' font 'DejaVu Sans,17' }\n"
-         << "  set output kind eq 'svg' ? svg : png\n  set multiplot\n"
-         << kFrame << "  set grid lt 1 lc '#dddddd' lw 1\n  unset key\n";
+    beginPictures(out_, kWidth, height_);
+    out_ << "  set grid lt 1 lc '#dddddd' lw 1\n";
     limits();
     for (std::size_t k = 0; k < panels_.size(); ++k) panel(k);
-    out_ << "  unset multiplot\n  unset output\n}\n";
+    endPictures(out_);
     return out_.str();
   }
 
@@ -184,7 +179,7 @@ class Script {
   /// In place of the rows, and in a plot of nothing: gnuplot draws texts with a plot alone.
   void noLimits() {
     pen_->text("none: no step is known beyond which these methods fail", {60, kHead + kLegend}, {.colour = kInk});
-    out_ << "  unset border\n  unset tics\n  plot [0:1] [0:1] NaN\n  unset label\n" << kFrame;
+    out_ << "  unset border\n  unset tics\n  plot [0:1] [0:1] NaN\n  unset label\n" << kChartFrame;
   }
 
   void panel(std::size_t k) {

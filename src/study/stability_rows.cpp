@@ -1,7 +1,5 @@
 // A study of step limits as CSV and as a table with what has to be said besides.
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <vector>
 
@@ -17,13 +15,10 @@ namespace {
 std::string name(const StabilityCase& entry) { return std::string(entry.method->name); }
 const char* dampingOf(const StabilityCase& entry) { return entry.damped ? "scene" : "none"; }
 
-/// Seconds for a file: the shortest digits that bring the number back.
+/// Seconds for a file.
 std::string field(double step) {
   if (std::isnan(step)) return "";
-  if (std::isinf(step)) return "inf";
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), step);
-  return {digits.data(), end.ptr};
+  return shortNumber(step);
 }
 
 /// Milliseconds for people.

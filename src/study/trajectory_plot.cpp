@@ -2,12 +2,12 @@
 #include "study/trajectory_plot.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <set>
 
+#include "core/text.h"
 #include "study/trajectory_distance.h"
 
 namespace tyg {
@@ -63,12 +63,6 @@ std::size_t finestOf(const std::vector<Trajectory>& runs) {
     if (rank(k) > rank(finest)) finest = k;
   }
   return finest;
-}
-
-void append(std::string& row, double number) {
-  std::array<char, 40> digits{};
-  const auto end = std::to_chars(digits.begin(), digits.end(), number).ptr;
-  row.append(",").append(digits.begin(), end);
 }
 
 }  // namespace
@@ -152,7 +146,7 @@ std::string trajectoryCsv(const TrajectoryStudy& study) {
         csv += names;
         const Vec3 at = run.ways[p][i];
         for (const double number : {run.times[i], at.x, at.y, at.z, distanceFromFinest(study, k, p, i)}) {
-          append(csv, number);
+          csv += "," + shortNumber(number);
         }
         csv += "," + status + "\n";
       }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <sstream>
 
+#include "study/chart_pen.h"
 #include "study/gnuplot.h"
 #include "study/trajectory_distance.h"
 
@@ -94,7 +95,7 @@ class Script {
     for (std::size_t row = 0; row < rows_.size(); ++row) {
       for (std::size_t p = 0; p < study_.particles.size(); ++p) panel(row, p);
     }
-    out_ << "  unset multiplot\n  unset output\n}\n";
+    endPictures(out_);
     return out_.str();
   }
 
@@ -124,20 +125,10 @@ class Script {
   }
 
   void head() {
-    out_ << "# Draws plot.svg and plot.png from plot.csv:  gnuplot plot.gp\n"
-            "if (!exists('svg')) svg = 'plot.svg'\n"
-            "if (!exists('png')) png = 'plot.png'\n"
-            "set datafile separator comma\n"
-            "do for [kind in 'svg png'] {\n";
-    out_ << "  if (kind eq 'svg') { set terminal svg size " << width_ << "," << height_
-         << " dynamic enhanced background '#ffffff' font 'DejaVu Sans,22' } else { set terminal pngcairo size "
-         << width_ << "," << height_ << " enhanced background '#ffffff' font 'DejaVu Sans,17' }\n"
-         << "  set output kind eq 'svg' ? svg : png\n"
-            "  set multiplot\n"
-            "  set border 3 lc '#444444' lw 1.5\n"
-            "  set tics out nomirror textcolor '#222222'\n"
-            "  set grid lt 1 lc '#d0d0d0' lw 1\n  unset key\n";
-    out_ << "  set xrange [0:" << study_.scene.duration << "]\n";
+    out_ << "# Draws plot.svg and plot.png from plot.csv:  gnuplot plot.gp\nset datafile separator comma\n";
+    namePictures(out_, "plot");
+    beginPictures(out_, width_, height_, 22);
+    out_ << "  set grid lt 1 lc '#d0d0d0' lw 1\n  set xrange [0:" << study_.scene.duration << "]\n";
     label(title(), kLeft / width_, 1 - 45 / height_, "left", 1.35);
     label(subtitle(), kLeft / width_, 1 - 95 / height_, "left", 1.0, "#555555");
   }

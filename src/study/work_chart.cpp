@@ -55,17 +55,16 @@ class Script {
     for (std::size_t k = 0; k < chart_.notes.size() + 1; ++k) note(k);
     legend();
     for (const ChartPanel& panel : panels_) draw(panel);
-    out_ << "  unset multiplot\n  unset output\n}\n";
+    endPictures(out_);
     return out_.str();
   }
 
  private:
   void definitions() {
     const auto digits = out_.precision(17);  // the duration is compared with the horizons of the rows
-    out_ << "# Draws chart.svg and chart.png from rows.csv:  gnuplot chart.gp\n"
-            "if (!exists('svg')) svg = 'chart.svg'\n"
-            "if (!exists('png')) png = 'chart.png'\n"
-            "set datafile separator comma\n"
+    out_ << "# Draws chart.svg and chart.png from rows.csv:  gnuplot chart.gp\n";
+    namePictures(out_, "chart");
+    out_ << "set datafile separator comma\n"
          << "size = " << chart_.size << "       # m, of the sheet\nduration = " << chart_.duration
          << "   # s, simulated in every run\n"
          << "most = " << panels_[0].belowStrip() << "   # largest error shown, fraction of the size\n"
@@ -84,17 +83,8 @@ class Script {
   }
 
   void terminals() {
-    constexpr double kWidth = ChartCanvas::kWidth, kHeight = ChartCanvas::kHeight;
-    out_ << "do for [kind in 'svg png'] {\n"
-         << "  if (kind eq 'svg') { set terminal svg size " << kWidth << "," << kHeight
-         << " dynamic enhanced background '#ffffff' font 'DejaVu Sans,23' } else { set terminal pngcairo size "
-         << kWidth << "," << kHeight << " enhanced background '#ffffff' font 'DejaVu Sans,17' }\n"
-         << "  set output kind eq 'svg' ? svg : png\n"
-            "  set multiplot\n"
-            "  set border 3 lc '#444444' lw 1.5\n"
-            "  set tics out nomirror textcolor '#222222'\n"
-            "  set grid lt 1 lc '#dddddd' lw 1\n"
-            "  set logscale xy\n  set format xy '10^{%T}'\n  unset key\n";
+    beginPictures(out_, ChartCanvas::kWidth, ChartCanvas::kHeight);
+    out_ << "  set grid lt 1 lc '#dddddd' lw 1\n  set logscale xy\n  set format xy '10^{%T}'\n";
   }
 
   /// The title and the smaller lines below it.

@@ -5,6 +5,8 @@
 #include <array>
 #include <charconv>
 
+#include "core/text.h"
+
 namespace tyg {
 namespace {
 
@@ -13,13 +15,6 @@ constexpr std::string_view kHeader =
     "rms_error_m,max_error_m,energy_drift,floor_m,horizon_s,status";
 constexpr std::size_t kFields = 16;
 constexpr std::array kStatuses{RowStatus::Ok, RowStatus::Unstable, RowStatus::NotFinite, RowStatus::TooSlow};
-
-template <class Number>
-void append(std::string& line, Number number) {
-  std::array<char, 40> digits{};
-  const auto end = std::to_chars(digits.begin(), digits.end(), number).ptr;
-  line.append(",").append(digits.begin(), end);
-}
 
 class LineReader {
  public:
@@ -128,15 +123,12 @@ std::string workCsv(const std::vector<WorkRow>& rows) {
   csv += "\n";
   for (const WorkRow& row : rows) {
     csv += csvField(row.scene);
-    append(csv, row.columns);
-    append(csv, row.rows);
-    csv += "," + row.integrator + (row.precision == Precision::Float ? ",float" : ",double");
-    append(csv, row.dt);
-    append(csv, row.tolerance);
-    append(csv, row.steps);
-    append(csv, row.forceEvaluations);
+    csv += "," + std::to_string(row.columns) + "," + std::to_string(row.rows) + "," + row.integrator;
+    csv += row.precision == Precision::Float ? ",float," : ",double,";
+    csv += shortNumber(row.dt) + "," + shortNumber(row.tolerance) + "," + std::to_string(row.steps) + "," +
+           std::to_string(row.forceEvaluations);
     for (const double number : {row.seconds, row.rmsError, row.maxError, row.energyDrift, row.floor, row.horizon}) {
-      append(csv, number);
+      csv += "," + shortNumber(number);
     }
     csv.append(",").append(nameOf(row.status)).append("\n");
   }

@@ -50,6 +50,19 @@ Picture drawn(OffscreenKind kind, const DrawOptions& options, const std::optiona
   return context->readPixels();
 }
 
+TEST(SheetRenderer, RefusesASheetThatTheDriverCannotHoldAndSaysHowLargeItMayBe) {
+  const auto context = makeOffscreen(kWidth, kHeight);
+  Sheet sheet = hangingSheet();
+  sheet.columns = sheet.rows = 40000;
+  try {
+    const SheetRenderer renderer(sheet);
+    FAIL() << "a sheet of 1.6e9 particles was taken";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()).rfind("sheet: found 1600000000 particles, allowed: up to ", 0), 0U)
+        << error.what();
+  }
+}
+
 const ShownPush kPush{.particle = 66, .force = {0.5, 0, 2}};
 DrawOptions everything() {
   DrawOptions options;
