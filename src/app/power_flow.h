@@ -6,7 +6,7 @@
 
 namespace tyg {
 
-/// W, averaged over about the last fifth of a simulated second. Positive along the arrows of the graph.
+/// W, on average over some time. Positive along the arrows of the graph.
 struct PowerFlow {
   double gravity = 0;  ///< from gravity to the masses
   double pushes = 0;   ///< from pushes to the masses
@@ -15,22 +15,7 @@ struct PowerFlow {
   double kinetic = 0;  ///< what stays in the masses
   double missing = 0;  ///< what the method loses or makes up: the balance of all others
 };
-
-class PowerMeter {
- public:
-  /// The ledger at a time (s); it must follow the dissipation. A time before the last one begins anew.
-  void take(double time, const Ledger& ledger);
-  void clear() {
-    known_ = false;
-    flow_ = {};
-  }
-  [[nodiscard]] const PowerFlow& flow() const { return flow_; }
-
- private:
-  bool known_ = false;
-  double time_ = 0;
-  Ledger last_;
-  PowerFlow flow_;
-};
+/// Between two ledgers of one run, `seconds` (> 0) apart, that follow the dissipation.
+PowerFlow powerBetween(const Ledger& before, const Ledger& after, double seconds);
 
 }  // namespace tyg

@@ -13,9 +13,13 @@ class RunningSeries {
   /// `channels` numbers a sample (>= 1), over the last `window` simulated seconds (> 0). All memory is taken here.
   RunningSeries(std::size_t channels, double window);
 
-  /// A sample at `time` (s). A time before the last one means that the cloth went back: later samples are forgotten.
-  /// Samples closer than a thousandth of the window to the last one are left out.
+  /// A sample at `time` (s). Left out are times that are not after the last one (a past that is shown again is known)
+  /// and those closer to it than a thousandth of the window.
   void add(double time, std::span<const float> values);
+  /// Forgets the samples after this time: the cloth went back, and goes on from there.
+  void cut(double time);
+  /// A channel that begins anew: what it was is NaN.
+  void forget(std::size_t channel);
   void clear() { count_ = 0; }
 
   [[nodiscard]] std::size_t size() const { return count_; }
@@ -25,6 +29,8 @@ class RunningSeries {
   [[nodiscard]] float value(std::size_t k, std::size_t channel) const {
     return values_[place(k) * channels_ + channel];
   }
+  /// The sample at `time` or last before it, the first one where there is none. size() must not be 0.
+  [[nodiscard]] std::size_t at(double time) const;
 
  private:
   static constexpr std::size_t kMost = 1001;

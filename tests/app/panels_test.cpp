@@ -158,8 +158,23 @@ TEST_F(PanelsTest, AClickOnARunningPlotGoesBackToItsMoment) {
     EXPECT_EQ(viewer_.state(), RunState::Paused);
     EXPECT_LT(viewer_.time(), newest);
     EXPECT_GT(viewer_.time(), newest - 1);
+    click(1250, 140);  // what came after it is still there
+    EXPECT_GE(viewer_.time(), newest);
     panels_.toggle(action);
   }
+}
+
+TEST_F(PanelsTest, TracesTakeAParticleThatIsClickedOnTheClothOnceTheyAreAskedTo) {
+  panels_.toggle(InputAction::OpenTraces);
+  frames();
+  const glm::mat4 seen = viewer_.camera().projection(1280.0F / 720) * viewer_.camera().view();
+  const glm::vec4 pin = seen * glm::vec4(viewer_.positions()[0], viewer_.positions()[1], viewer_.positions()[2], 1);
+  const double x = 640 * (1 + pin.x / pin.w), y = 360 * (1 - pin.y / pin.w);
+  EXPECT_FALSE(pressMouse(x, y));
+  bool taken = false;
+  for (float button = 690; button > 200 && !taken; button -= 8) click(870, button), taken = pressMouse(x, y);
+  EXPECT_TRUE(taken);
+  EXPECT_FALSE(pressMouse(x, y));  // once
 }
 
 TEST_F(PanelsTest, HaveASizeInAWindowThatHasNone) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 namespace tyg {
 namespace {
@@ -31,14 +32,29 @@ TEST(RunningSeries, LeavesOutWhatIsTooCloseToBeSeen) {
   EXPECT_GT(series.size(), 900U);
 }
 
-TEST(RunningSeries, ForgetsTheFutureWhenTheClothGoesBack) {
+TEST(RunningSeries, KeepsTheFutureWhileThePastIsShownAndForgetsItWhenItIsCut) {
   RunningSeries series(2, 10);
   for (int k = 0; k <= 100; ++k) addAt(series, 0.05 * k);
   addAt(series, 2.02);
-  EXPECT_EQ(series.time(series.size() - 1), 2.02);
+  EXPECT_EQ(series.size(), 101U);
+  EXPECT_EQ(series.time(series.at(2.02)), 2.0);
+  EXPECT_EQ(series.at(-1), 0U);
+  series.cut(2.02);
+  addAt(series, 2.04);
+  EXPECT_EQ(series.time(series.size() - 1), 2.04);
   EXPECT_EQ(series.time(series.size() - 2), 2.0);
-  addAt(series, 0);
+  series.cut(0);
   EXPECT_EQ(series.size(), 1U);
+}
+
+TEST(RunningSeries, BeginsAChannelAnewAndLeavesTheOthers) {
+  RunningSeries series(2, 10);
+  for (int k = 0; k <= 10; ++k) addAt(series, 0.05 * k);
+  series.forget(1);
+  addAt(series, 1);
+  EXPECT_EQ(series.value(5, 0), 0.25F);
+  EXPECT_TRUE(std::isnan(series.value(5, 1)));
+  EXPECT_EQ(series.value(11, 1), -1.0F);
 }
 
 }  // namespace

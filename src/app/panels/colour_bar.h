@@ -7,8 +7,8 @@
 
 namespace tyg {
 
-/// Draws the ramp over the panel's width with `low`, the middle and `high` below it, the ends with `unit` (and what else
-/// they mean).
+/// Draws the ramp over the panel's width with `low`, the middle and `high` below it, the ends with `unit` (and what
+/// else they mean).
 void colourBar(const PanelScope& scope, Ramp ramp, double low, double high, const char* unit);
 
 /// A round number (1, 2 or 5 times a power of ten) at or above `value`, that stays as it was while it fits: until

@@ -6,11 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include <limits>
+#include <optional>
+#include <string>
 
+#include "app/panels/paragraph.h"
 #include "app/panels/running_plot.h"
 #include "app/power_flow.h"
 #include "app/viewer.h"
+#include "core/text.h"
 
 namespace tyg {
 namespace {
@@ -24,36 +28,66 @@ class EnergyPanel final : public Panel {
   void follow(Viewer& viewer) override {
     if (viewer_ == nullptr) viewer.followLedger(true);
     viewer_ = &viewer;
-    if (viewer.simulation().status() != Status::Ok) return;
+    const double time = viewer.simulation().time(), newest = viewer.timeline().newest;
+    series_.cut(newest);
+    if (viewer.simulation().status() != Status::Ok || viewer.seeking()) return;
     ledger_ = viewer.ledger();
+    if (newest < since_) since_ = time, before_ = ledger_.dissipated;
+    ledger_.dissipated -= before_;
     const std::array<float, kChannels> values{float(ledger_.kinetic),       float(ledger_.elastic),
                                               float(ledger_.gravitational), float(ledger_.dissipated),
                                               float(ledger_.work),          float(ledger_.drift)};
-    series_.add(viewer.simulation().time(), values);
-    meter_.take(viewer.simulation().time(), ledger_);
+    series_.add(time, values);
   }
 
   void close() override {
     if (viewer_ != nullptr) viewer_->followLedger(false);
     viewer_ = nullptr;
     series_.clear();
-    meter_.clear();
+    since_ = kNever;
   }
 
   void draw(const PanelScope& scope) override {
     std::array<RunningCurve, kNames.size()> curves;
     for (std::size_t k = 0; k < curves.size(); ++k) {
-      curves.at(k) = {.channel = k, .colour = seriesColour(k, scope.background)};
+      curves.at(k) = {.name = kNames.at(k), .channel = k, .colour = seriesColour(k, scope.background)};
     }
-    runningPlot(scope, "energy, J", series_, curves, kPlotHeight * scope.size);
+    runningPlot(scope, {"energy", "J", kPlotHeight * scope.size}, series_, curves);
     names(scope);
-    const std::array drift{RunningCurve{.channel = Drift, .colour = scope.colours.text, .scale = 100}};
-    runningPlot(scope, "drift of their sum, % of the largest energy", series_, drift, kDriftHeight * scope.size);
+    const std::array drift{RunningCurve{.name = "drift", .channel = Drift, .colour = scope.colours.text, .scale = 100}};
+    runningPlot(scope, {"drift of their sum", "% of the largest energy", kDriftHeight * scope.size, kLeastDrift},
+                series_, drift);
+    if (since_ == kNever) return paragraph("Nothing is counted while the cloth has failed.", scope.colours.dim);
+    if (since_ > 0) paragraph(formatted("Dissipation and drift count from %.2f s.", since_), scope.colours.dim);
     bonds(scope);
   }
 
  private:
   static constexpr float kPlotHeight = 9, kDriftHeight = 4.5F, kGraphHeight = 8;  ///< text sizes
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+  static constexpr double kLeastDrift = 1e-9;   ///< %: below it is rounding
+  static constexpr double kPowerSeconds = 0.2;  ///< long enough to read, short enough to see a push
+
+  /// As the cloth stands before anything was counted: what is dissipated and the drift are not known there.
+  [[nodiscard]] bool counted(const PanelScope& scope) const { return scope.viewer.time() >= since_; }
+
+  /// At the moment shown; nothing where no sample tells it.
+  [[nodiscard]] std::optional<PowerFlow> flow(const PanelScope& scope) const {
+    if (series_.size() < 2 || !counted(scope)) return {};
+    const std::size_t now = series_.at(scope.viewer.time());
+    const std::size_t before =
+        std::min(series_.at(series_.time(now) - kPowerSeconds), now - std::min<std::size_t>(now, 1));
+    const double seconds = series_.time(now) - series_.time(before);
+    if (!(seconds > 0) || seconds > 3 * kPowerSeconds) return {};
+    return powerBetween(ledgerAt(before), ledgerAt(now), seconds);
+  }
+  [[nodiscard]] Ledger ledgerAt(std::size_t k) const {
+    Ledger ledger;
+    ledger.kinetic = double(series_.value(k, Kinetic)), ledger.elastic = double(series_.value(k, Elastic));
+    ledger.gravitational = double(series_.value(k, Gravitational));
+    ledger.dissipated = double(series_.value(k, Dissipated)), ledger.work = double(series_.value(k, Work));
+    return ledger;
+  }
 
   void names(const PanelScope& scope) const {
     const std::array now{ledger_.kinetic, ledger_.elastic, ledger_.gravitational, ledger_.dissipated, ledger_.work};
@@ -61,11 +95,15 @@ class EnergyPanel final : public Panel {
     for (std::size_t k = 0; k < kNames.size(); ++k) {
       ImGui::TableNextColumn();
       ImGui::PushStyleColor(ImGuiCol_Text, seriesColour(k, scope.background));
-      ImGui::Text("%s %.3g J", kNames.at(k), now.at(k));
+      if (k == Dissipated && !counted(scope)) {
+        ImGui::Text("%s -", kNames.at(k));
+      } else {
+        ImGui::Text("%s %.3g J", kNames.at(k), now.at(k));
+      }
       ImGui::PopStyleColor();
     }
     ImGui::TableNextColumn();
-    ImGui::Text("drift %.1e %%", 100 * ledger_.drift);
+    if (counted(scope)) ImGui::Text("drift %.2g %%", 100 * ledger_.drift);
     ImGui::EndTable();
   }
 
@@ -74,18 +112,20 @@ class EnergyPanel final : public Panel {
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = std::ceil(kGraphHeight * scope.size);
     ImGui::Dummy({width, height});
-    const PowerFlow& flow = meter_.flow();
+    const std::optional<PowerFlow> known = flow(scope);
+    const PowerFlow flow = known.value_or(PowerFlow{});
     most_ = std::max({std::abs(flow.gravity), std::abs(flow.pushes), std::abs(flow.springs), std::abs(flow.dampers),
                       0.98 * most_, 1e-9});
-    const float half = 3.1F * scope.size;
+    const float half = 2.6F * scope.size;
     const ImVec2 masses{origin.x + width / 2, origin.y + height / 2};
     const auto at = [&](bool right, bool low) {
       return ImVec2{right ? origin.x + width - half : origin.x + half, origin.y + (low ? 0.82F : 0.18F) * height};
     };
-    bond(scope, at(false, false), masses, {flow.gravity, true});
-    bond(scope, at(false, true), masses, {flow.pushes, false});
-    bond(scope, masses, at(true, false), {flow.springs, true});
-    bond(scope, masses, at(true, true), {flow.dampers, false});
+    const bool told = known.has_value();
+    bond(scope, at(false, false), masses, {flow.gravity, true, told});
+    bond(scope, at(false, true), masses, {flow.pushes, false, told});
+    bond(scope, masses, at(true, false), {flow.springs, true, told});
+    bond(scope, masses, at(true, true), {flow.dampers, false, told});
     node(scope, at(false, false), half, "gravity", scope.colours.dim);
     node(scope, at(false, true), half, "pushes", seriesColour(Work, scope.background));
     node(scope, at(true, false), half, "springs", seriesColour(Elastic, scope.background));
@@ -106,6 +146,7 @@ class EnergyPanel final : public Panel {
   struct Power {
     double watts = 0;
     bool above = false;  ///< where its number stands
+    bool known = true;
   };
   /// A line as wide as the power is great, with its head where the power goes and its number at the middle.
   void bond(const PanelScope& scope, ImVec2 from, ImVec2 to, const Power& power) const {
@@ -124,18 +165,20 @@ class EnergyPanel final : public Panel {
                              {middle.x - head * (way.x - way.y) / 2, middle.y - head * (way.y + way.x) / 2},
                              {middle.x - head * (way.x + way.y) / 2, middle.y - head * (way.y - way.x) / 2}, colour);
     }
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.2g W", std::abs(watts));
-    const float extent = ImGui::CalcTextSize(text.data()).x;
-    list.AddText({middle.x - extent / 2, middle.y + (power.above ? -1.85F : 0.85F) * scope.size},
-                 still ? scope.colours.dim : scope.colours.text, text.data());
+    const std::string text = power.known ? formatted("%.2g W", std::abs(watts)) : "- W";
+    const float small = 0.85F * scope.size;
+    const float extent = ImGui::GetFont()->CalcTextSizeA(small, 1e6F, 0, text.c_str()).x;
+    list.AddText(ImGui::GetFont(), small,
+                 {middle.x - extent / 2, middle.y + (power.above ? -1.85F : 0.95F) * scope.size},
+                 still ? scope.colours.dim : scope.colours.text, text.c_str());
   }
 
   Viewer* viewer_ = nullptr;  ///< whose ledger is being followed
   RunningSeries series_{kChannels, kWindow};
-  PowerMeter meter_;
-  Ledger ledger_;
-  double most_ = 0;  ///< W, the widest bond
+  Ledger ledger_;          ///< with what was dissipated since then:
+  double since_ = kNever;  ///< s
+  double before_ = 0;      ///< J, dissipated until then as the simulation counts
+  double most_ = 0;        ///< W, the widest bond
 };
 
 }  // namespace

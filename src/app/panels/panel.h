@@ -14,6 +14,7 @@ namespace tyg {
 
 class Edits;
 class Viewer;
+struct WindowEvent;
 
 /// What a panel is drawn with.
 struct PanelScope {
@@ -42,6 +43,8 @@ class Panel {
   /// Its widgets, once a frame while it is open, between ImGui's Begin and End. Throws nothing: what goes
   /// wrong is said by Viewer::warn.
   virtual void draw(const PanelScope& scope) = 0;
+  /// A press of the mouse outside of all panels while it is open: true where it was meant for this one.
+  virtual bool handle(const WindowEvent& /*event*/, Viewer& /*viewer*/) { return false; }
   /// Once a frame while it is open, after the cloth has moved and before anything is drawn.
   virtual void follow(Viewer& /*viewer*/) {}
   /// Before each picture while it is open.

@@ -42,7 +42,10 @@ bool Panels::takesMouse(const WindowEvent& event) const {
 
 bool Panels::handle(const WindowEvent& event, Viewer& viewer) {
   if (event.kind != WindowEvent::Kind::Press) return false;
-  if (isMouse(event.key)) return takesMouse(event);
+  if (isMouse(event.key)) {
+    const auto takes = [&](std::size_t which) { return places_[which].panel->handle(event, viewer); };
+    return takesMouse(event) || std::ranges::any_of(order_, takes);
+  }
   if (event.control) {
     handleControl(event, viewer);
     return true;

@@ -2,23 +2,33 @@
 // Must not know: what the quantities are.
 #pragma once
 
-#include <span>
+#include <string>
 
 #include "app/panels/panel.h"
 #include "app/running_series.h"
 
 namespace tyg {
 
-/// One curve: a channel of the series, multiplied by `scale`.
+/// One curve: a channel of the series, multiplied by `scale`. NaN is a gap.
 struct RunningCurve {
+  std::string name;
   std::size_t channel = 0;
   Colour colour = 0;
   float scale = 1;
+  [[nodiscard]] double value(const RunningSeries& series, std::size_t k) const {
+    return double(scale) * double(series.value(k, channel));
+  }
 };
-/// Draws the curves over the panel's width, `height` pixels high with the numbers at its axes; `title` says the
-/// quantity and its unit, and names the widget. The last sample is at the right. A moment under the cursor is read out,
-/// and a click goes back to it.
-void runningPlot(const PanelScope& scope, const char* title, const RunningSeries& series,
-                 std::span<const RunningCurve> curves, float height);
+
+struct RunningPlot {
+  const char* title;  ///< the quantity; names the widget
+  const char* unit;
+  float height = 0;  ///< pixels, with the numbers at its axes
+  double least = 0;  ///< of the axis from end to end: what differs by less is drawn as flat
+};
+/// Draws the curves over the panel's width: the last sample at the right, the moment that the cloth is shown at marked
+/// where it is a past one. A moment under the cursor is read out; pressed there, the cloth goes back to it.
+void runningPlot(const PanelScope& scope, const RunningPlot& plot, const RunningSeries& series,
+                 std::span<const RunningCurve> curves);
 
 }  // namespace tyg

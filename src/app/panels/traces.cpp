@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/panels/running_plot.h"
 #include "app/viewer.h"
+#include "core/text.h"
+#include "view/picking.h"
 
 namespace tyg {
 namespace {
@@ -24,56 +26,90 @@ class TracesPanel final : public Panel {
   void follow(Viewer& viewer) override {
     if (sheet_ != viewer.sheetsSoFar()) {
       sheet_ = viewer.sheetsSoFar();
-      particles_ = {particleAt(viewer.simulation().sheet(), Place{.name = "bottom-left"})};
+      particles_ = {};
+      particles_[0] = particleAt(viewer.simulation().sheet(), Place{.name = "bottom-left"});
       series_.clear();
     }
     std::array<float, 3 * kMost> values{};
     const std::span<const float> xyz = viewer.positions();
-    for (std::size_t k = 0; k < particles_.size(); ++k) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        values.at(3 * k + axis) = xyz[3 * static_cast<std::size_t>(particles_[k]) + axis];
+    for (std::size_t k = 0; k < kMost; ++k) {
+      for (std::size_t axis = 0; particles_.at(k) && axis < 3; ++axis) {
+        values.at(3 * k + axis) = xyz[3 * static_cast<std::size_t>(*particles_.at(k)) + axis];
       }
     }
+    series_.cut(viewer.timeline().newest);
     series_.add(viewer.time(), values);
   }
 
+  void close() override {
+    series_.clear();
+    picking_ = false;
+  }
+
+  /// The next click on a particle takes it, and is no push.
+  bool handle(const WindowEvent& event, Viewer& viewer) override {
+    if (!picking_ || event.kind != WindowEvent::Kind::Press || event.key != kLeftButton) return false;
+    const std::optional<int> hit = pickParticle(viewer.camera(), {event.x, event.y}, framebuffer(),
+                                                viewer.simulation().sheet(), viewer.positions());
+    if (!hit) return viewer.note("There is no particle."), true;
+    addOne(*hit);
+    picking_ = false;
+    return true;
+  }
+
   void draw(const PanelScope& scope) override {
-    constexpr std::array kTitles{"x, m", "y, m", "z, m"};
+    constexpr std::array kTitles{"x", "y", "z"};
+    constexpr double kLeast = 1e-6;  // of the sheet's size
+    const double least = kLeast * scope.viewer.simulation().sheet().size();
     for (std::size_t axis = 0; axis < kTitles.size(); ++axis) {
-      std::array<RunningCurve, kMost> curves;
-      for (std::size_t k = 0; k < particles_.size(); ++k) {
-        curves.at(k) = {.channel = 3 * k + axis, .colour = seriesColour(k, scope.background)};
+      std::vector<RunningCurve> curves;
+      for (std::size_t k = 0; k < kMost; ++k) {
+        if (!particles_.at(k)) continue;
+        curves.push_back({.name = nameOf(*particles_.at(k), scope.viewer),
+                          .channel = 3 * k + axis,
+                          .colour = seriesColour(k, scope.background)});
       }
-      runningPlot(scope, kTitles.at(axis), series_, std::span(curves).first(particles_.size()), kHeight * scope.size);
+      runningPlot(scope, {kTitles.at(axis), "m", kHeight * scope.size, least}, series_, curves);
     }
     list(scope);
     add(scope.viewer);
+    mark(scope);
   }
 
  private:
   static constexpr float kHeight = 6;  ///< text sizes, of each plot
 
+  static std::string nameOf(int particle, const Viewer& viewer) {
+    const int columns = viewer.simulation().sheet().columns;
+    return formatted("[%d, %d]", particle % columns, particle / columns);
+  }
+  /// In which places of events count.
+  static glm::vec2 framebuffer() {
+    const ImGuiIO& io = ImGui::GetIO();
+    return {io.DisplaySize.x * io.DisplayFramebufferScale.x, io.DisplaySize.y * io.DisplayFramebufferScale.y};
+  }
+
   /// The particles in their curves' colours; a click takes one away.
   void list(const PanelScope& scope) {
-    const int columns = scope.viewer.simulation().sheet().columns;
-    for (std::size_t k = 0; k < particles_.size(); ++k) {
-      std::array<char, 64> text{};
-      std::snprintf(text.data(), text.size(), "[%d, %d] x##%d", particles_[k] % columns, particles_[k] / columns,
-                    particles_[k]);
+    ImGui::TextDisabled("[column, row]");
+    for (std::size_t k = 0; k < kMost; ++k) {
+      if (!particles_.at(k)) continue;
+      ImGui::SameLine();
+      ImGui::PushID(static_cast<int>(k));
       ImGui::PushStyleColor(ImGuiCol_Text, seriesColour(k, scope.background));
-      const bool gone = ImGui::SmallButton(text.data());
+      const bool gone = ImGui::SmallButton((nameOf(*particles_.at(k), scope.viewer) + " \u00d7").c_str());
       ImGui::PopStyleColor();
-      if (k + 1 < particles_.size()) ImGui::SameLine();
-      if (!gone) continue;
-      particles_.erase(particles_.begin() + static_cast<std::ptrdiff_t>(k));
-      return series_.clear();
+      ImGui::PopID();
+      if (gone) particles_.at(k).reset();
     }
   }
 
   void add(const Viewer& viewer) {
-    if (particles_.size() == kMost) return;
+    if (std::ranges::all_of(particles_, [](const auto& particle) { return particle.has_value(); })) return;
+    if (ImGui::Button(picking_ ? "click a particle ..." : "pick one on the cloth")) picking_ = !picking_;
+    ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
-    if (!ImGui::BeginCombo("##add", "add a particle")) return;
+    if (!ImGui::BeginCombo("##add", "add")) return;
     const Sheet& sheet = viewer.simulation().sheet();
     const int pushed = viewer.picked();
     if (pushed >= 0 && ImGui::Selectable("the one pushed last")) addOne(pushed);
@@ -84,12 +120,31 @@ class TracesPanel final : public Panel {
   }
   void addOne(int particle) {
     if (std::ranges::find(particles_, particle) != particles_.end()) return;
-    particles_.push_back(particle);
-    series_.clear();
+    const auto free = std::ranges::find(particles_, std::optional<int>{});
+    if (free == particles_.end()) return;
+    *free = particle;
+    const auto place = static_cast<std::size_t>(free - particles_.begin());
+    for (std::size_t axis = 0; axis < 3; ++axis) series_.forget(3 * place + axis);
+  }
+
+  /// A ring around each particle, in the colour of its curves.
+  void mark(const PanelScope& scope) const {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const Camera& camera = scope.viewer.camera();
+    const glm::mat4 seen = camera.projection(screen.x / std::max(screen.y, 1.0F)) * camera.view();
+    for (std::size_t k = 0; k < kMost; ++k) {
+      if (!particles_.at(k)) continue;
+      const float* at = &scope.viewer.positions()[3 * static_cast<std::size_t>(*particles_.at(k))];
+      const glm::vec4 clip = seen * glm::vec4(at[0], at[1], at[2], 1);
+      if (!(clip.w > 0)) continue;
+      const ImVec2 place{0.5F * (1 + clip.x / clip.w) * screen.x, 0.5F * (1 - clip.y / clip.w) * screen.y};
+      ImGui::GetBackgroundDrawList()->AddCircle(place, 0.45F * scope.size, seriesColour(k, scope.background), 20, 2.5F);
+    }
   }
 
   int sheet_ = 0;  ///< which of the viewer's sheets the particles are of
-  std::vector<int> particles_;
+  std::array<std::optional<int>, kMost> particles_;
+  bool picking_ = false;
   RunningSeries series_{3 * kMost, kWindow};
 };
 
