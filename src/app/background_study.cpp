@@ -4,6 +4,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include "app/calibration_clock.h"
@@ -17,6 +19,8 @@ using Stage = StudyProgress::Stage;
 /// As `tyg chart --quick` does it.
 constexpr double kRunBudget = 0.1, kRepeatSeconds = 0.03, kRoundsBudget = 5;  // s
 constexpr int kFewestRepeats = 2;
+/// So many rows of each method come first: down to half the stable limit, where most hold.
+constexpr std::size_t kFirstRungs = 5;
 constexpr double kReferenceShare = 0.1;  // of the whole, about as measured
 constexpr int kLowestPriority = 19;
 
@@ -35,10 +39,20 @@ StudyPlan planOf(const Scene& scene, const std::vector<const Method*>& methods) 
   plan.fewestRepeats = kFewestRepeats;
   plan.repeatSeconds = kRepeatSeconds;
   plan.roundsBudget = kRoundsBudget;
+  plan.firstRungs = kFirstRungs;
   plan.threads = 1;
   // What a method costs does not depend on how often others were let before this thread.
   plan.clock = [] { return calibrationClock(1); };
   return plan;
+}
+
+/// Behind the others of its method.
+void addRow(StudyProgress& told, const WorkRow& row) {
+  const auto ofMethod = [&row](const WorkRow& other) { return other.integrator == row.integrator; };
+  // A method gets more than the first rows only when all have had theirs.
+  told.allMethods = told.allMethods || std::ranges::count_if(told.rows, ofMethod) >= std::ptrdiff_t{kFirstRungs};
+  const auto last = std::ranges::find_if(told.rows.rbegin(), told.rows.rend(), ofMethod);
+  told.rows.insert(last == told.rows.rend() ? told.rows.end() : last.base(), row);
 }
 
 std::string whyNoReference(const Reference& reference) {
@@ -142,11 +156,12 @@ void BackgroundStudy::study(const Job& job) {
 void BackgroundStudy::rowsOf(const Job& job, const std::shared_ptr<const Reference>& reference) {
   StudyPlan plan = planOf(job.scene, job.methods);
   plan.observer = [&](double fraction) { return report(job, kReferenceShare + (1 - kReferenceShare) * fraction); };
-  plan.rowObserver = [&](const WorkRow& row) { tell(job, [&](StudyProgress& told) { told.rows.push_back(row); }); };
+  plan.rowObserver = [&](const WorkRow& row) { tell(job, [&](StudyProgress& told) { addRow(told, row); }); };
   Study study = workPrecision(job.scene, *reference, plan);
   tell(job, [&](StudyProgress& told) {
     told.rows = std::move(study.rows);
     told.refusals = std::move(study.refusals);
+    told.allMethods = true;
     told.fraction = 1;
     told.stage = Stage::Done;
   });

@@ -23,6 +23,7 @@ struct StudyProgress {
   Stage stage = Stage::Idle;
   double fraction = 0;                         ///< done of the whole, 0..1
   std::vector<WorkRow> rows;                   ///< method by method, coarse to fine; of the scene's precision
+  bool allMethods = false;                     ///< each has had its first rows, or none to give
   std::vector<std::string> refusals;           ///< why a method is not in the rows
   std::string problem;                         ///< Failed: why, for the person
   std::shared_ptr<const Reference> reference;  ///< from Rows on
@@ -39,8 +40,8 @@ class BackgroundStudy {
   BackgroundStudy(const BackgroundStudy&) = delete;
   BackgroundStudy& operator=(const BackgroundStudy&) = delete;
 
-  /// Begins the study of this scene in its own precision, in the place of any other, with these methods one after the
-  /// other. Returns at once.
+  /// Begins the study of this scene in its own precision, in the place of any other: first some coarse rows of each of
+  /// these methods, then the rest of one after the other. Returns at once.
   void start(const Scene& scene, std::vector<const Method*> methods);
   /// Ends the study and forgets what it found. Returns at once.
   void stop();

@@ -21,7 +21,7 @@ std::string presentSentence(const SettingPlace& place, const Setting& setting, c
     default:
       break;
   }
-  const bool measured = place.kind == SettingPlace::Kind::Between;
+  const bool measured = place.kind == SettingPlace::Kind::Measured;
   return named(setting) + (measured ? ": error " : ": error about ") + errorText(place.error, scale) + " for " +
          costText(place.seconds, scale) + ".";
 }

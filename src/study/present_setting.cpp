@@ -55,10 +55,10 @@ SettingPlace placeOf(const std::vector<WorkRow>& rows, const Setting& setting) {
     return followed(*coarser, method, rung, Kind::Finer);
   }
   if (coarser == nullptr || failed(*coarser)) {
-    if (rungOf(*finer, method) * kSame >= rung) return {Kind::Between, finer->rmsError, finer->seconds};
+    if (rungOf(*finer, method) * kSame >= rung) return {Kind::Measured, finer->rmsError, finer->seconds};
     return followed(*finer, method, rung, Kind::Coarser);
   }
-  if (finer == coarser) return {Kind::Between, finer->rmsError, finer->seconds};
+  if (finer == coarser) return {Kind::Measured, finer->rmsError, finer->seconds};
   const double x0 = rungOf(*finer, method), x1 = rungOf(*coarser, method);
   return {Kind::Between, between(rung, x0, x1, finer->rmsError, coarser->rmsError),
           between(rung, x0, x1, finer->seconds, coarser->seconds)};

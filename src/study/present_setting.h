@@ -21,11 +21,12 @@ struct Setting {
 /// The error and the cost of a setting, read between its method's rows.
 struct SettingPlace {
   enum class Kind {
-    Unknown,  ///< no row of that method has an error yet
-    Between,  ///< two rows, or on one
-    Finer,    ///< than all rows: followed at the method's order, down to the floor
-    Coarser,  ///< than all rows that held, and none failed there: followed likewise
-    Fails,    ///< rows with such a step failed, or the step is past its limit
+    Unknown,   ///< no row of that method has an error yet
+    Measured,  ///< it is a row
+    Between,   ///< two rows
+    Finer,     ///< than all rows: followed at the method's order, down to the floor
+    Coarser,   ///< than all rows that held, and none failed there: followed likewise
+    Fails,     ///< rows with such a step failed, or the step is past its limit
   };
   Kind kind = Kind::Unknown;
   double error = WorkRow::kNone;    ///< E, m; NaN where it is unknown or fails

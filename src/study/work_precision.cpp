@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <utility>
 
 #include "study/error.h"
 #include "study/ladder.h"
@@ -24,17 +26,19 @@ class StudyMaker {
       : scene_(scene), reference_(reference), plan_(plan), times_(sampleTimes(scene)) {}
 
   Study make() {
-    std::size_t series = 0;
     for (const Method* method : plan_.methods) {
       for (const Precision precision : plan_.precisions) {
-        seriesDone_ = series++;
-        if (!study_.stopped) climb(*method, precision);
+        series_.push_back({.method = method, .precision = precision, .rungs = ladderOf(scene_, *method), .runs = {}});
       }
     }
+    if (plan_.firstRungs > 0) climbAll(plan_.firstRungs);
+    climbAll(std::numeric_limits<std::size_t>::max());
     if (!study_.stopped) repeatTimings();
-    for (const Timed& run : runs_) {
-      study_.rows.push_back(run.row);
-      if (run.past) study_.pastHorizon.push_back({run.row, run.past->distance, run.past->band});
+    for (const Series& series : series_) {
+      for (const Timed& run : series.runs) {
+        study_.rows.push_back(run.row);
+        if (run.past) study_.pastHorizon.push_back({run.row, run.past->distance, run.past->band});
+      }
     }
     return std::move(study_);
   }
@@ -51,31 +55,47 @@ class StudyMaker {
     double spent = 0;  ///< s, in timing
   };
 
-  /// Down one ladder until the error is as small as it can or shall be, or a run takes too long.
-  void climb(const Method& method, Precision precision) {
-    Scene scene = scene_;
-    scene.precision = precision;
-    seriesStart_ = plan_.clock();
-    std::size_t number = 0;
-    for (const Rung& rung : ladderOf(scene_, method)) {
-      scene.dt = rung.dt;
-      scene.tolerance = rung.tolerance;
-      try {
-        runs_.push_back(errorRun(scene, method));
-        runs_.back().rung = number++;
-      } catch (const InputError& refusal) {
-        refuse(method, refusal.what());
-        return;
-      }
-      if (study_.stopped) {
-        runs_.pop_back();
-        return;
-      }
-      if (runs_.back().row.status != RowStatus::TooSlow) time(runs_.back());
-      if (study_.stopped) return;
-      if (plan_.rowObserver) plan_.rowObserver(runs_.back().row);
-      if (endsLadder(number)) return;
+  /// One method in one precision, as far down its ladder as it is.
+  struct Series {
+    const Method* method;
+    Precision precision;
+    std::vector<Rung> rungs;
+    std::vector<Timed> runs;  ///< of the first rungs
+    bool ended = false;
+  };
+
+  /// Every series down to so many rungs.
+  void climbAll(std::size_t rungs) {
+    for (Series& series : series_) {
+      climbStart_ = plan_.clock();
+      while (!study_.stopped && !series.ended && series.runs.size() < std::min(rungs, series.rungs.size()))
+        climb(series);
+      ++climbs_;
     }
+  }
+
+  /// One rung; the last where the error is as small as it can or shall be, or the run takes too long.
+  void climb(Series& series) {
+    Scene scene = scene_;
+    scene.precision = series.precision;
+    const Rung& rung = series.rungs[series.runs.size()];
+    scene.dt = rung.dt;
+    scene.tolerance = rung.tolerance;
+    try {
+      Timed run = errorRun(scene, *series.method);
+      if (study_.stopped) return;
+      run.rung = series.runs.size();
+      series.runs.push_back(std::move(run));
+    } catch (const InputError& refusal) {
+      refuse(*series.method, refusal.what());
+      series.ended = true;
+      return;
+    }
+    Timed& run = series.runs.back();
+    if (run.row.status != RowStatus::TooSlow) time(run);
+    if (study_.stopped) return;
+    if (plan_.rowObserver) plan_.rowObserver(run.row);
+    series.ended = endsLadder(series.runs);
   }
 
   void refuse(const Method& method, const std::string& why) {
@@ -131,8 +151,8 @@ class StudyMaker {
     ++run.repeats;
   }
 
-  [[nodiscard]] bool endsLadder(std::size_t rungs) const {
-    const WorkRow& row = runs_.back().row;
+  [[nodiscard]] bool endsLadder(const std::vector<Timed>& runs) const {
+    const WorkRow& row = runs.back().row;
     if (row.status == RowStatus::TooSlow) return true;
     if (row.status != RowStatus::Ok) return false;
     // Not even double tells such errors. Float goes on past its own floor, which is the worst that rounding may do:
@@ -140,8 +160,8 @@ class StudyMaker {
     if (row.rmsError < std::max(reference_.floorOf(Precision::Double), plan_.lowestError)) return true;
     // Rounding, not the method, is what is left where two finer rungs gain nothing near the floor.
     constexpr double kNearTheFloor = 1000, kNoGain = 0.7;
-    if (rungs < 3 || !(row.rmsError < kNearTheFloor * row.floor)) return false;
-    const double before = runs_[runs_.size() - 3].row.rmsError, between = runs_[runs_.size() - 2].row.rmsError;
+    if (runs.size() < 3 || !(row.rmsError < kNearTheFloor * row.floor)) return false;
+    const double before = runs[runs.size() - 3].row.rmsError, between = runs[runs.size() - 2].row.rmsError;
     return between > kNoGain * before && row.rmsError > kNoGain * before;
   }
 
@@ -154,7 +174,9 @@ class StudyMaker {
   /// slows the machine down for a while slows all methods down.
   void repeatTimings() {
     std::vector<Timed*> order;
-    for (Timed& run : runs_) order.push_back(&run);
+    for (Series& series : series_) {
+      for (Timed& run : series.runs) order.push_back(&run);
+    }
     std::ranges::stable_sort(order, {}, &Timed::rung);
     double expected = 0, spent = 0;
     for (const Timed* run : order) {
@@ -177,12 +199,12 @@ class StudyMaker {
     }
   }
 
-  /// A series takes some budgets' time at most; one that ends early makes the rest come sooner.
+  /// A climb takes some budgets' time at most; one that ends early makes the rest come sooner.
   double ladderFraction() {
-    constexpr double kBudgetsPerSeries = 5;
-    const double inSeries = std::min(1.0, (plan_.clock() - seriesStart_) / (kBudgetsPerSeries * plan_.runBudget));
-    const auto all = double(plan_.methods.size() * plan_.precisions.size());
-    return fraction_ = std::max(fraction_, kLadderShare * (double(seriesDone_) + inSeries) / all);
+    constexpr double kBudgetsPerClimb = 5;
+    const double inClimb = std::min(1.0, (plan_.clock() - climbStart_) / (kBudgetsPerClimb * plan_.runBudget));
+    const auto all = double(series_.size() * (plan_.firstRungs > 0 ? 2 : 1));
+    return fraction_ = std::max(fraction_, kLadderShare * (double(climbs_) + inClimb) / all);
   }
 
   bool goesOn(double fraction) {
@@ -195,9 +217,9 @@ class StudyMaker {
   const StudyPlan& plan_;
   std::vector<double> times_;
   Study study_;
-  std::vector<Timed> runs_;
-  std::size_t seriesDone_ = 0;
-  double seriesStart_ = 0, fraction_ = 0;
+  std::vector<Series> series_;
+  std::size_t climbs_ = 0;  ///< of one series each, done
+  double climbStart_ = 0, fraction_ = 0;
 };
 
 }  // namespace

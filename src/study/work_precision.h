@@ -2,6 +2,7 @@
 // Must not know: files, charts, what time it is (the clock is given).
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -15,8 +16,11 @@ namespace tyg {
 struct StudyPlan {
   std::vector<const Method*> methods;
   std::vector<Precision> precisions{Precision::Double, Precision::Float};
-  double runBudget = 1;           ///< s that one run may take; a ladder ends with the first run that takes longer
-  double lowestError = 0;         ///< m; a ladder ends below it, and below the floor of double
+  double runBudget = 1;    ///< s that one run may take; a ladder ends with the first run that takes longer
+  double lowestError = 0;  ///< m; a ladder ends below it, and below the floor of double
+  /// So many rungs of every ladder come before the rest of any, for those who watch the rows come; 0: one ladder after
+  /// the other.
+  std::size_t firstRungs = 0;
   int fewestRepeats = 3;          ///< of each timing
   double repeatSeconds = 0.2;     ///< short runs are timed more often, until this much has gone into them
   double roundsBudget = 50;       ///< s for all repeats together: no further run begins after it

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include "test_systems.h"
 #include "tyg/methods.h"
@@ -62,6 +64,19 @@ TEST(BackgroundStudy, HandsRowsOverBeforeItIsDone) {
   study.start(scene, all);
   ASSERT_TRUE(awaited(study, hasRows));
   EXPECT_EQ(study.look().stage, Stage::Rows);
+}
+
+TEST(BackgroundStudy, HasTheCoarseRowsOfAllMethodsBeforeItGoesFarDownOne) {
+  BackgroundStudy study;
+  study.start(smallScene(), twoMethods());
+  const auto inOrder = [](const WorkRow& row) { return std::pair(row.integrator, -row.dt); };
+  ASSERT_TRUE(awaited(study, [&](const StudyProgress& told) {
+    const auto of = [&](const char* method) { return std::ranges::count(told.rows, method, &WorkRow::integrator); };
+    EXPECT_TRUE(std::ranges::is_sorted(told.rows, {}, inOrder));
+    EXPECT_EQ(told.allMethods, of("leapfrog") > 5) << "after " << told.rows.size() << " rows";
+    EXPECT_TRUE(of("leapfrog") <= 5 || of("rk4") >= 5);
+    return isDone(told) || testing::Test::HasFailure();
+  }));
 }
 
 TEST(BackgroundStudy, FromItsStopOnNothingIsTold) {

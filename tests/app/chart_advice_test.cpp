@@ -24,6 +24,12 @@ TEST(ChartAdvice, NamesMethodStepErrorAndCostWithTheirUnits) {
   EXPECT_EQ(advice.better, "");
 }
 
+TEST(ChartAdvice, SaysAboutWhereTheErrorIsReadBetweenTwoRows) {
+  const std::vector<WorkRow> rows{row("rk4", 0.004, 1.6e-4, 0.01), row("rk4", 0.002, 1e-5, 0.02)};
+  EXPECT_TRUE(says(adviceOn(rows, {&findMethod("rk4"), 0.003, 0}, kScale).present, "error about 0.0506 mm"));
+  EXPECT_TRUE(says(adviceOn(rows, {&findMethod("rk4"), 0.002, 0}, kScale).present, "error 0.01 mm"));
+}
+
 TEST(ChartAdvice, TellsWhatIsCheaperAndWhatIsCloser) {
   const std::vector<WorkRow> rows{row("rk4", 0.002, 1e-5, 0.02), row("leapfrog", 0.002, 1e-5, 0.005),
                                   row("rk4", 0.0025, 1e-7, 0.02)};

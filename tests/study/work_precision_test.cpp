@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -141,6 +142,20 @@ std::string withoutSeconds(const std::vector<WorkRow>& rows) {
 TEST(WorkPrecision, EverythingButTheSecondsIsTheSameInASecondStudy) {
   const auto study = [] { return studyOf(smoothSheet(), planOf({"leapfrog", "dopri54"})); };
   EXPECT_EQ(withoutSeconds(study().rows), withoutSeconds(study().rows));
+}
+
+TEST(WorkPrecision, TheFirstRungsOfAllMethodsComeBeforeTheRestOfAny) {
+  StudyPlan plan = planOf({"leapfrog", "dopri54"});
+  const std::string whole = withoutSeconds(studyOf(smoothSheet(), plan).rows);
+  plan = planOf({"leapfrog", "dopri54"});
+  plan.firstRungs = 2;
+  std::vector<std::string> came;
+  plan.rowObserver = [&came](const WorkRow& row) { came.push_back(row.integrator); };
+  EXPECT_EQ(withoutSeconds(studyOf(smoothSheet(), plan).rows), whole);  // in the same order in the end
+  ASSERT_GT(came.size(), 8U);                                           // two precisions
+  const std::vector<std::string> first(came.begin(), came.begin() + 8);
+  EXPECT_EQ(std::ranges::count(first, "leapfrog"), 4);
+  EXPECT_EQ(came[4], "dopri54");
 }
 
 TEST(WorkPrecision, AnInterruptedStudyKeepsTheRowsSoFar) {

@@ -65,7 +65,8 @@ class LiveChart final : public Panel {
     const ChartPlot::Contents contents{
         .rows = told.rows,
         .scale = {.duration = viewer.scene().duration, .size = simulation.sheet().size()},
-        .present = {&viewer.method(), simulation.dt(), simulation.scene().tolerance, viewer.margin().limit}};
+        .present = {&viewer.method(), simulation.dt(), simulation.scene().tolerance, viewer.margin().limit},
+        .allMethods = told.allMethods};
     const WorkRow* under = plot_.draw(scope, contents, std::round(kPlotHeight * scope.size));
     if (under != nullptr && under->status == RowStatus::Ok && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
       adopt(viewer, settingOf(*under));
@@ -115,7 +116,9 @@ class LiveChart final : public Panel {
     if (!advice.better.empty()) {
       paragraph(advice.better, scope.colours.good);
     } else if (std::isfinite(placeOf(contents.rows, contents.present).error)) {
-      paragraph("Nothing measured so far is clearly cheaper or closer.", scope.colours.dim);
+      paragraph(contents.allMethods ? "Nothing measured so far is clearly cheaper or closer."
+                                    : "Not every method has been measured yet.",
+                scope.colours.dim);
     }
   }
 

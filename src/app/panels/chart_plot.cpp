@@ -46,8 +46,8 @@ class DecadeRange {
     if (!(value > 0) || std::isinf(value)) return;
     low_ = std::min(low_, value), high_ = std::max(high_, value);
   }
-  [[nodiscard]] LogAxis axis(const LogAxis& otherwise) const {
-    if (high_ == 0) return otherwise;
+  [[nodiscard]] bool empty() const { return high_ == 0; }
+  [[nodiscard]] LogAxis axis() const {
     const double low = std::floor(std::log10(low_) - 0.1), high = std::ceil(std::log10(high_) + 0.1);
     return {std::pow(10.0, low), std::pow(10.0, high)};
   }
@@ -137,8 +137,10 @@ void ChartPlot::chooseAxes(const Contents& contents, const SettingPlace& place) 
   }
   costs.include(contents.scale.cost(place.seconds));
   errors.include(1e3 * place.error);
-  cost_ = costs.axis({1, 100});
-  error_ = errors.axis({1e-6, 1e3 * contents.scale.size});
+  if (costs.empty()) costs.include(1), costs.include(100);
+  if (errors.empty()) errors.include(1e-6), errors.include(1e3 * contents.scale.size);
+  cost_ = costs.axis();
+  error_ = errors.axis();
 }
 
 namespace {
@@ -207,7 +209,8 @@ void ChartPlot::drawCurves(const Pen& pen, const Contents& contents) const {
   const auto shareOf = [this](std::string_view method) {
     return emphasised_ == nullptr || emphasised_->name == method ? 1.0F : 0.2F;
   };
-  const std::vector<const WorkRow*> frontier = frontierOf(contents.rows);
+  // Of some methods alone it would be no frontier.
+  const auto frontier = contents.allMethods ? frontierOf(contents.rows) : std::vector<const WorkRow*>();
   for (std::size_t k = 1; k < frontier.size(); ++k) {
     pen.list.AddLine(pen.at(*frontier[k - 1]), pen.at(*frontier[k]), faded(pen.scope.colours.good, 0.4F),
                      0.42F * pen.scope.size);

@@ -19,6 +19,7 @@ class ChartPlot {
     const std::vector<WorkRow>& rows;
     ChartScale scale;
     Setting present;
+    bool allMethods = true;  ///< have had their first rows
   };
   /// Draws plot and legend over the whole width that the panel has, `height` pixels high in all. The row under the
   /// cursor, null where there is none: it is read out beside the cursor.
