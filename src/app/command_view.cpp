@@ -135,9 +135,9 @@ class View {
 
   /// What the window shows, text included.
   void keepPicture() {
-    if (!std::exchange(picture_, false)) return;
+    if (viewer_.seeking() || !std::exchange(picture_, false)) return;  // what is shown is left at this moment
     readFramebuffer(shown_.width, shown_.height, pixels_);
-    tell([this] { return keeper_.keep(pixels_, viewer_.record()); });
+    tell([this] { return keeper_.keep(pixels_, viewer_.recordShown()); });
   }
 
   void giveNotice() {

@@ -67,9 +67,7 @@ const Method* methodThatHolds(const Scene& scene, const Method& failed, double s
   return nullptr;
 }
 
-double safeStep(const Simulation& simulation, double limit) {
-  return chooses(simulation) || !std::isfinite(limit) || limit <= 0 ? 0 : roundedDown(kSafeShare * limit);
-}
+double safeStep(double limit) { return !std::isfinite(limit) || limit <= 0 ? 0 : roundedDown(kSafeShare * limit); }
 
 Cure findCure(const Simulation& simulation, double limit) {
   Cure cure;
@@ -80,7 +78,7 @@ Cure findCure(const Simulation& simulation, double limit) {
   cure.method = methodThatHolds(simulation.scene(), simulation.method(), step, share);
   if (chooses(simulation) || limit == 0) return cure;
   // A limit that was kept and broke all the same says too much: half of the step that broke is the next best guess.
-  cure.step = limit <= step ? safeStep(simulation, limit) : roundedDown(step / 2);
+  cure.step = limit <= step ? safeStep(limit) : roundedDown(step / 2);
   return cure;
 }
 

@@ -21,8 +21,8 @@ struct Cure {
   double step = 0;
   const Method* method = nullptr;  ///< holds at the present step; null: none does
 };
-/// 0.9 of the limit, s; 0 where there is none, or where the method chooses its own steps.
-double safeStep(const Simulation& simulation, double limit);
+/// 0.9 of the limit, s; 0 where there is none.
+double safeStep(double limit);
 /// `limit`, s: of the present method; NaN, infinite or not below the step where it does not explain a failure.
 Cure findCure(const Simulation& simulation, double limit);
 

@@ -8,7 +8,7 @@
 namespace tyg {
 
 void Edits::follow(const Viewer& viewer) {
-  if (viewer.seeking() || viewer.timeline().past) return;  // what is shown was set then, not now
+  if (viewer.seeking() || viewer.timeline().past || viewer.keyHeld()) return;  // in the past: it was set then, not now
   originals_.try_emplace(viewer.scene().name, viewer.scene());
   versions_.note(setupOf(viewer));
 }
@@ -17,8 +17,6 @@ const Scene& Edits::original(const Viewer& viewer) const {
   const auto found = originals_.find(viewer.scene().name);
   return found == originals_.end() ? viewer.scene() : found->second;
 }
-
-void Edits::reset(Viewer& viewer) const { apply({original(viewer), 1}, viewer); }
 
 void Edits::apply(const Setup& setup, Viewer& viewer) {
   viewer.use(setup.scene);

@@ -22,7 +22,8 @@ class Edits {
  public:
   explicit Edits(const Viewer& viewer) : versions_(setupOf(viewer)) { follow(viewer); }
 
-  /// Once a frame, but not while a slider is held: what then differs from before is one change.
+  /// Once a frame, but not while a slider is held: what then differs from before is one change. So is what a key does
+  /// until it is let go of.
   void follow(const Viewer& viewer);
   [[nodiscard]] bool canUndo() const { return versions_.canUndo(); }
   [[nodiscard]] bool canRedo() const { return versions_.canRedo(); }
@@ -34,7 +35,8 @@ class Edits {
   }
   /// The scene as it was when the window first had it.
   [[nodiscard]] const Scene& original(const Viewer& viewer) const;
-  void reset(Viewer& viewer) const;
+  [[nodiscard]] bool canReset(const Viewer& viewer) const { return setupOf(viewer) != Setup{original(viewer)}; }
+  void reset(Viewer& viewer) const { apply({original(viewer)}, viewer); }
 
  private:
   static Setup setupOf(const Viewer& viewer) { return {viewer.scene(), viewer.pushFactor()}; }

@@ -95,8 +95,9 @@ std::int64_t History::tickAt(double time, const Simulation& simulation) const {
   return before.ticks() + std::llround(share * double(after.ticks - before.ticks()));
 }
 
-PushLog History::record(const Simulation& simulation) const {
-  if (past_) return whole_;
+PushLog History::record(const Simulation& simulation) const { return past_ ? whole_ : recordTo(simulation); }
+
+PushLog History::recordTo(const Simulation& simulation) {
   PushLog log = simulation.log();
   log.ticks = simulation.ticks();
   log.hash = hashText(simulation);

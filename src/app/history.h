@@ -44,6 +44,8 @@ class History {
   [[nodiscard]] std::int64_t tickAt(double time, const Simulation& simulation) const;
   /// The log up to the newest moment, with its length and the hash there.
   [[nodiscard]] PushLog record(const Simulation& simulation) const;
+  /// The log up to the present moment, likewise.
+  [[nodiscard]] static PushLog recordTo(const Simulation& simulation);
   [[nodiscard]] std::size_t bytes() const;  ///< of all copies
 
  private:

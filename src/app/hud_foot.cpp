@@ -76,7 +76,7 @@ float Hud::drawFoot(const Viewer& viewer, Panels& panels) {
 float Hud::drawStatus(const Viewer& viewer) const {
   const Pace& pace = viewer.pace();
   StepText step;
-  describeStep(viewer.simulation(), step);
+  viewer.describeStep(step);
   std::array<char, 64> rates{"- frames/s  \u00b7  - % simulating"}, behind{};
   if (pace.framesPerSecond > 0) {
     std::snprintf(rates.data(), rates.size(), "%.0f frames/s  \u00b7  %.0f %% simulating", pace.framesPerSecond,
@@ -85,7 +85,7 @@ float Hud::drawStatus(const Viewer& viewer) const {
   if (viewer.behind()) std::snprintf(behind.data(), behind.size(), "  \u00b7  %.2g of real time", pace.realTime);
   std::array<char, 32> speed{};
   describeSpeed(viewer.speed(), speed);
-  const std::string_view method = viewer.simulation().method().name;
+  const std::string_view method = viewer.method().name;
   std::array<char, 256> text{};
   std::snprintf(text.data(), text.size(), "%.*s  \u00b7  %s  \u00b7  t %.3f s%s  \u00b7  %s%s",
                 static_cast<int>(method.size()), method.data(), step.data(), viewer.time(), speed.data(), rates.data(),

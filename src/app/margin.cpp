@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "study/stability.h"
+#include "tyg/methods.h"
 
 namespace tyg {
 namespace {
@@ -39,20 +40,26 @@ void describe(const Margin& margin, MarginText& text) {
       kWarnings.at(static_cast<std::size_t>(margin.band())));
 }
 
-void MarginWatch::look(Simulation& simulation, const Clock& clock) {
-  const Method& method = simulation.method();
-  if (method_ != &method || world_ != worldOf(simulation.scene())) {
+void MarginWatch::follow(const Scene& scene, const Method& method, double step) {
+  if (method_ != &method || world_ != worldOf(scene)) {
     method_ = &method;
-    world_ = worldOf(simulation.scene());
+    world_ = worldOf(scene);
     lookedAt_ = -1;
     live_ = std::numeric_limits<double>::quiet_NaN();
-    margin_ = {.rest = restLatticeLimit(simulation.scene(), method)};
+    margin_ = {.rest = restLatticeLimit(scene, method)};
   }
-  margin_.step = simulation.dt();
-  margin_.adaptive = method.adaptive && simulation.scene().tolerance > 0;
+  margin_.step = step;
+  margin_.adaptive = method.adaptive && scene.tolerance > 0;
+  margin_.limit = std::fmin(margin_.rest, live_);  // of a number and NaN, the number
+}
+
+void MarginWatch::lookAhead(const Scene& chosen) { follow(chosen, findMethod(chosen.integrator), chosen.dt); }
+
+void MarginWatch::look(Simulation& simulation, const Clock& clock) {
+  follow(simulation.scene(), simulation.method(), simulation.dt());
   const bool moves = simulation.status() == Status::Ok && simulation.ticks() != lookedAt_;
   if (!margin_.adaptive && moves) lookLive(simulation, clock);
-  margin_.limit = std::fmin(margin_.rest, live_);  // of a number and NaN, the number
+  margin_.limit = std::fmin(margin_.rest, live_);
 }
 
 void MarginWatch::lookLive(Simulation& simulation, const Clock& clock) {

@@ -41,11 +41,15 @@ class MarginWatch {
   /// Once a frame; of a simulation past its alarm the limit stays as it was. Finding the live limit takes no more than
   /// a twentieth of the time: the larger a sheet, the fewer frames look.
   void look(Simulation& simulation, const Clock& clock);
+  /// The same for what is chosen for the next run of a cloth that stands; of another method or world than the last look
+  /// the limit is the one at rest.
+  void lookAhead(const Scene& chosen);
   /// Another simulation: its limit at rest is worked out at the next look.
   void restart() { method_ = nullptr; }
   [[nodiscard]] const Margin& margin() const { return margin_; }
 
  private:
+  void follow(const Scene& scene, const Method& method, double step);
   void lookLive(Simulation& simulation, const Clock& clock);
 
   const Method* method_ = nullptr;

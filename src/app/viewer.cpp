@@ -54,14 +54,6 @@ std::string_view nameOf(RunState state) {
   return kNames.at(static_cast<std::size_t>(state));
 }
 
-void describeStep(const Simulation& simulation, StepText& text) {
-  if (simulation.method().adaptive) {
-    std::snprintf(text.data(), text.size(), "tolerance of %.4g mm", 1e3 * simulation.scene().tolerance);
-  } else {
-    std::snprintf(text.data(), text.size(), "step of %.4g ms", 1e3 * simulation.dt());
-  }
-}
-
 Viewer::Viewer(const Scene& scene, const Settings& settings, Clock clock)
     : scene_(scene),
       settings_(settings),
@@ -204,6 +196,14 @@ void Viewer::toggle(InputAction action) {
   }
 }
 
+void Viewer::describeStep(StepText& text) const {
+  if (method_->adaptive) {
+    std::snprintf(text.data(), text.size(), "tolerance of %.4g mm", 1e3 * scene_.tolerance);
+  } else {
+    std::snprintf(text.data(), text.size(), "step of %.4g ms", 1e3 * scene_.dt);
+  }
+}
+
 void Viewer::choose(std::size_t place) {
   if (place < methods().size()) useMethod(methods()[place]);
 }
@@ -303,7 +303,11 @@ void Viewer::frame() {
   cameraMoved_ = cameraMoved_ || keys.right != 0 || keys.up != 0 || keys.forward != 0;
   repeatHeldKey();
   moveCloth(seconds);
-  stepMargin_.look(simulation_, clock_);
+  if (state_ == RunState::Frozen) {
+    stepMargin_.lookAhead(scene_);
+  } else {
+    stepMargin_.look(simulation_, clock_);
+  }
   if (!woken_) measure(seconds, clock_() - now);
   woken_ = false;
 }
@@ -339,5 +343,7 @@ ViewLogLine Viewer::logLine() {
 }
 
 PushLog Viewer::record() const { return history_.record(simulation_); }
+
+PushLog Viewer::recordShown() const { return History::recordTo(simulation_); }
 
 }  // namespace tyg

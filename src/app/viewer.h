@@ -44,8 +44,6 @@ struct Timeline {
 };
 
 using StepText = std::array<char, 48>;
-/// `step of 2 ms`, or `tolerance of 0.1 mm` for a method that chooses its own steps. Allocates nothing.
-void describeStep(const Simulation& simulation, StepText& text);
 
 /// Pixels at the sides of the window that panels and keys take.
 struct Margins {
@@ -98,25 +96,30 @@ class Viewer {
   /// Counts the sheets there have been: what is made for one sheet is made anew when this changes.
   [[nodiscard]] int sheetsSoFar() const { return sheetsSoFar_; }
   [[nodiscard]] const Method& method() const { return *method_; }  ///< chosen; frozen: for the next run
+  /// `step of 2 ms`, or `tolerance of 0.1 mm` for a method that chooses its own steps: as chosen, like method().
+  /// Allocates nothing.
+  void describeStep(StepText& text) const;
   [[nodiscard]] const Camera& camera() const { return camera_; }
   [[nodiscard]] const DrawOptions& drawOptions() const { return draw_; }
   [[nodiscard]] bool showsHelp() const { return help_; }
   [[nodiscard]] const Pace& pace() const { return pace_; }
-  [[nodiscard]] bool behind() const { return state_ == RunState::Running && pace_.behind; }
+  [[nodiscard]] bool behind() const { return state_ == RunState::Running && pace_.behind && !asleep(); }
   [[nodiscard]] const std::string& message() const { return message_; }  ///< why it froze; empty else
   [[nodiscard]] const std::string& note() const { return note_; }
   [[nodiscard]] bool noteWarns() const { return noteWarns_; }
   /// The ways out of a failure; nothing where the cloth did not freeze by its alarm.
   [[nodiscard]] const std::optional<Cure>& cure() const { return cure_; }
+  /// Of the method and step that are chosen; frozen: for the next run.
   [[nodiscard]] const Margin& margin() const { return stepMargin_.margin(); }
   /// The moments that can be gone back to.
   [[nodiscard]] Timeline timeline() const;
   /// It runs, and stays as it is until something is done to it: no particle has moved faster than a millimetre a second
   /// for a second, and no push acts or is to come. No ticks pass meanwhile.
   [[nodiscard]] bool asleep() const { return stillSince_ && time_ - *stillSince_ >= kStillSeconds; }
-  [[nodiscard]] double speed() const { return frameClock_.speed(); }  ///< simulated seconds wanted per second
-  [[nodiscard]] bool breaking() const { return breaking_; }           ///< runs on past its alarm
-  [[nodiscard]] int pushes() const { return pushes_; }                ///< clicks so far
+  [[nodiscard]] double speed() const { return frameClock_.speed(); }    ///< simulated seconds wanted per second
+  [[nodiscard]] bool breaking() const { return breaking_; }             ///< runs on past its alarm
+  [[nodiscard]] bool keyHeld() const { return repeated_.has_value(); }  ///< one that acts again and again
+  [[nodiscard]] int pushes() const { return pushes_; }                  ///< clicks so far
   /// x, y, z of the last good state, m, its time in s, and the box around it.
   [[nodiscard]] std::span<const float> positions() const { return positions_; }
   [[nodiscard]] double time() const { return time_; }
@@ -132,6 +135,8 @@ class Viewer {
   [[nodiscard]] ViewLogLine logLine();
   /// The run so far: its ticks and hash filled in.
   [[nodiscard]] PushLog record() const;
+  /// The run that leads to what is shown: up to a past moment, or into the failure that the text tells of.
+  [[nodiscard]] PushLog recordShown() const;
 
  private:
   void press(const Input& input, const WindowEvent& event);
@@ -149,7 +154,9 @@ class Viewer {
   void again();
   void endReplay();
   void runOn();
-  void change(const std::function<void()>& deed);
+  void cureWith(const Scene& wanted);
+  void fitCure();
+  double limitInUse();
   void takeSafeStep();
   void takeHoldingMethod();
   void useStep(double dt);

@@ -31,6 +31,7 @@ void Viewer::useLive(const Scene& scene) {
     simulation_.useWorld(scene);
   }
   scene_ = scene;
+  fitCure();
 }
 
 void Viewer::followLedger(bool on) {

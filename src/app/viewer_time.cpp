@@ -50,6 +50,7 @@ void Viewer::step() {
   endReplay();
   state_ = RunState::Paused;
   run(1, 0);
+  if (state_ == RunState::Paused) followSimulation();
 }
 
 /// A person's deed at a past moment: from here on everything is new.
@@ -108,6 +109,7 @@ void Viewer::endReplay() {
 
 void Viewer::changeSpeed(double factor) {
   frameClock_.setSpeed(std::clamp(frameClock_.speed() * factor, kSlowest, 1.0));
+  speedBefore_ = frameClock_.speed();  // a person's choice outlasts the replay in which it is made
 }
 
 void Viewer::runOn() {
@@ -120,25 +122,55 @@ void Viewer::runOn() {
   frameClock_.restart();
 }
 
-/// Does what a cure consists of: at once, or, after an alarm, shortly before the failure, and goes on from there.
-void Viewer::change(const std::function<void()>& deed) {
-  if (!lastGood_ || (!cure_ && !breaking_)) return deed();
+/// At once, or, after an alarm, shortly before the failure, and goes on from there. What was set since that moment, or
+/// while it was frozen, is part of what is wanted: the way back must not lose it.
+void Viewer::cureWith(const Scene& wanted) {
+  if (seeking_) return;
+  if (!lastGood_ || (!cure_ && !breaking_)) return useLive(wanted);
   breaking_ = false;
-  turnTo(history_.tickAt(lastGood_->time - kBackSeconds, simulation_), [this, deed] {
-    beforeDeed();
-    deed();
-    goOn();
+  turnTo(history_.tickAt(lastGood_->time - kBackSeconds, simulation_), [this, wanted] {
+    try {
+      beforeDeed();
+      useLive(wanted);
+      goOn();
+    } catch (const std::exception& error) {  // a method that was chosen while it was frozen may refuse the scene
+      warn(error.what());
+    }
   });
 }
 
 void Viewer::takeSafeStep() {
-  const double step = cure_ ? cure_->step : safeStep(simulation_, margin().limit);
-  if (step > 0) change([this, step] { useStep(step); });
+  if (state_ == RunState::Frozen && !cure_) return;
+  Scene wanted = scene_;
+  const double safe = safeStep(limitInUse());
+  const double step = cure_ ? cure_->step : margin().adaptive ? 0 : safe;
+  if (step > 0) wanted.dt = step, cureWith(wanted);
 }
 
 void Viewer::takeHoldingMethod() {
   if (!cure_ || cure_->method == nullptr) return;
-  change([this, method = cure_->method] { useMethod(*method); });
+  Scene wanted = scene_;
+  wanted.integrator = cure_->method->name;
+  cureWith(wanted);
+}
+
+/// Another setting was chosen while it was frozen, and a cure keeps it: its step is that one where it holds.
+void Viewer::fitCure() {
+  if (!cure_) return;
+  stepMargin_.lookAhead(scene_);
+  if (margin().band() == MarginBand::Past) {
+    cure_->step = safeStep(margin().limit);
+  } else if (method_ == &simulation_.method() && scene_.dt == simulation_.dt()) {
+    cure_->step = findCure(simulation_, margin().limit).step;
+  } else {
+    cure_->step = scene_.dt;
+  }
+}
+
+/// s, of the method, step and world that are in use at this moment, not at the last frame.
+double Viewer::limitInUse() {
+  stepMargin_.look(simulation_, clock_);
+  return margin().limit;
 }
 
 void Viewer::useStep(double dt) {
@@ -157,6 +189,7 @@ void Viewer::useMethod(const Method& method) {
   }
   method_ = &method;
   scene_.integrator = method.name;
+  fitCure();
 }
 
 /// Another moment may have had another method, step or world.
@@ -287,7 +320,8 @@ bool Viewer::still() const {
 
 void Viewer::freezeOnAlarm() {
   endReplay();
-  const double limit = margin().limit;
+  followSimulation();
+  const double limit = limitInUse();
   const Cure cure = findCure(simulation_, limit);
   freeze(describeFailure(simulation_, limit, cure));
   cure_ = cure;
@@ -300,7 +334,8 @@ void Viewer::freezeOnStall() {
   if (!std::exchange(seeking_, false)) showState();
   if (state_ == RunState::Frozen) return;
   endReplay();
-  const Cure cure = findCure(simulation_, margin().limit);
+  followSimulation();
+  const Cure cure = findCure(simulation_, limitInUse());
   freeze(describeStall(simulation_, kLongestTick, cure));
   cure_ = cure;
   if (!lastGood_) lastGood_ = History::Moment{shownTick_, time_};

@@ -84,6 +84,30 @@ TEST_F(EditsTest, ResetGoesBackToTheScenesOwnValuesAndCanItselfBeUndone) {
   EXPECT_EQ(viewer_.scene(), heavy);
 }
 
+TEST_F(EditsTest, ResetTakesBackThePushAloneAsWell) {
+  EXPECT_FALSE(edits_.canReset(viewer_));
+  viewer_.setPushFactor(3), edits_.follow(viewer_);
+  EXPECT_TRUE(edits_.canReset(viewer_));
+  edits_.reset(viewer_);
+  EXPECT_EQ(viewer_.pushFactor(), 1);
+  EXPECT_FALSE(edits_.canReset(viewer_));
+}
+
+TEST(Edits, AHeldKeyIsOneChange) {
+  double now = 0;
+  Viewer viewer(loadScene("curtain", methodNames()), Settings{.threads = 1}, [&now] { return now; });
+  Edits edits(viewer);
+  const double dt = viewer.scene().dt;
+  viewer.handle({.kind = WindowEvent::Kind::Press, .key = ']'});
+  for (int frame = 0; frame < 60; ++frame) now += 1.0 / 60, viewer.frame(), edits.follow(viewer);
+  viewer.handle({.kind = WindowEvent::Kind::Release, .key = ']'});
+  edits.follow(viewer);
+  EXPECT_GT(viewer.scene().dt, 1.5 * dt);
+  edits.undo(viewer);
+  EXPECT_EQ(viewer.scene().dt, dt);
+  EXPECT_FALSE(edits.canUndo());
+}
+
 TEST(Edits, WhatThePastWasSetToIsNoChange) {
   double now = 0;
   Viewer viewer(loadScene("curtain", methodNames()), Settings{.threads = 1}, [&now] { return now; });

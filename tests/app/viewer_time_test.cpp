@@ -1,4 +1,4 @@
-// The viewer's way through time, without a window: back and forth, into a failure and out of it, and nothing is lost.
+// The viewer's way through time, without a window: back and forth, to sleep and on, and nothing is lost.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -6,141 +6,11 @@
 #include <functional>
 #include <string>
 
+#include "app/run_report.h"
 #include "app/viewer_fixture.h"
 
 namespace tyg {
 namespace {
-
-/// A step far past the limit of every method here.
-class WildViewerTest : public ViewerTest {
- protected:
-  static Scene wild() {
-    Scene scene = curtain();
-    scene.dt = 0.05;
-    return scene;
-  }
-  WildViewerTest() : ViewerTest(wild()) {}
-  void runUntilFrozen() {
-    tap(' ');
-    for (int frame = 0; frame < 600 && viewer_.state() == RunState::Running; ++frame) frames(1);
-  }
-};
-
-TEST_F(WildViewerTest, AnUnstableClothFreezesAtItsLastGoodFrame) {
-  runUntilFrozen();
-  ASSERT_EQ(viewer_.state(), RunState::Frozen);
-  for (const float coordinate : viewer_.positions()) ASSERT_LT(std::abs(coordinate), 10);
-  EXPECT_LT(viewer_.time(), viewer_.simulation().time());
-  EXPECT_NE(viewer_.logLine().alarm, "ok");
-}
-
-TEST_F(WildViewerTest, TheMessageNamesMethodStepAndTime) {
-  runUntilFrozen();
-  for (const char* word : {"rk4", "50 ms", " s: "}) {
-    EXPECT_NE(viewer_.message().find(word), std::string::npos) << viewer_.message();
-  }
-}
-
-TEST_F(WildViewerTest, AFrozenClothStaysFrozenUntilRestartedWithTheChosenMethod) {
-  runUntilFrozen();
-  const double then = viewer_.time();
-  tap(' '), tap('.'), clickOnCloth(), tap('2');
-  frames(5);
-  EXPECT_EQ(viewer_.state(), RunState::Frozen);
-  EXPECT_EQ(viewer_.time(), then);
-  tap('R');
-  EXPECT_EQ(viewer_.state(), RunState::Waiting);
-  EXPECT_EQ(viewer_.simulation().method().name, "symplectic-euler");
-  EXPECT_EQ(viewer_.simulation().status(), Status::Ok);
-}
-
-TEST_F(WildViewerTest, TheMessageNamesTheLimitAndTheWaysOut) {
-  runUntilFrozen();
-  ASSERT_TRUE(viewer_.cure());
-  for (const char* words : {"its limit is 4.26 ms", "take a step of 3.8 ms", "which holds with this step"}) {
-    EXPECT_NE(viewer_.message().find(words), std::string::npos) << viewer_.message();
-  }
-}
-
-TEST_F(WildViewerTest, TheSafeStepGoesOnFromBeforeTheFailureAndHolds) {
-  runUntilFrozen();
-  const double then = viewer_.time();
-  tap('V');
-  EXPECT_EQ(viewer_.state(), RunState::Running);
-  EXPECT_LE(viewer_.time(), then);
-  EXPECT_EQ(viewer_.simulation().dt(), 0.0038);
-  frames(200);
-  EXPECT_EQ(viewer_.state(), RunState::Running);
-  EXPECT_GT(viewer_.time(), then + 2);
-  EXPECT_EQ(viewer_.simulation().status(), Status::Ok);
-}
-
-TEST_F(WildViewerTest, AMethodThatHoldsGoesOnWithTheSameStep) {
-  runUntilFrozen();
-  const Method* other = viewer_.cure()->method;
-  ASSERT_NE(other, nullptr);
-  tap('M');
-  EXPECT_EQ(&viewer_.simulation().method(), other);
-  EXPECT_EQ(viewer_.simulation().dt(), 0.05);
-  frames(100);
-  EXPECT_EQ(viewer_.state(), RunState::Running);
-}
-
-TEST_F(WildViewerTest, RunsOnPastItsAlarmWhenToldToAndComesBack) {
-  runUntilFrozen();
-  const double then = viewer_.time();
-  tap(kEnterKey);
-  frames(5);
-  EXPECT_GT(viewer_.simulation().time(), then);
-  for (int frame = 0; frame < 2000 && viewer_.state() == RunState::Running; ++frame) frames(1);
-  EXPECT_EQ(viewer_.state(), RunState::Frozen);  // out of the range of the numbers
-  tap(kEnterKey);
-  EXPECT_EQ(viewer_.state(), RunState::Frozen);
-  tap('V');
-  EXPECT_LE(viewer_.time(), then);
-  frames(60);
-  EXPECT_EQ(viewer_.state(), RunState::Running);
-}
-
-TEST_F(WildViewerTest, AFrozenClothStepsBackAndOnAgain) {
-  runUntilFrozen();
-  const double then = viewer_.time();
-  tap(',');
-  EXPECT_EQ(viewer_.state(), RunState::Paused);
-  EXPECT_NEAR(viewer_.time(), then - 0.05, 1e-9);
-  EXPECT_TRUE(viewer_.message().empty());
-  tap('.');
-  EXPECT_EQ(viewer_.time(), then);
-  for (int step = 0; step < 100 && viewer_.state() == RunState::Paused; ++step) tap('.');
-  EXPECT_EQ(viewer_.state(), RunState::Frozen);
-}
-
-TEST_F(WildViewerTest, AReplayRunsSlowlyIntoTheFailureAgain) {
-  runUntilFrozen();
-  const double then = viewer_.time();
-  tap('J');
-  EXPECT_EQ(viewer_.state(), RunState::Running);
-  EXPECT_LT(viewer_.speed(), 1);
-  const double from = viewer_.time();
-  EXPECT_LT(from, then);
-  frames(60);
-  EXPECT_LE(viewer_.time(), from + 0.125 + 0.05);  // a second at an eighth of the speed, and a tick
-  for (int frame = 0; frame < 2000 && viewer_.state() == RunState::Running; ++frame) frames(1);
-  EXPECT_NE(viewer_.state(), RunState::Running);
-  EXPECT_GE(viewer_.time(), then);
-  EXPECT_EQ(viewer_.speed(), 1);
-}
-
-TEST_F(WildViewerTest, ARecordOfACuredRunReplaysToTheSameHash) {
-  runUntilFrozen();
-  tap('V');
-  frames(30);
-  const PushLog log = viewer_.record();
-  Simulation again(wild(), findMethod(log.integrator), {.threads = 1});
-  again.replay(log, methods());
-  again.tick(log.ticks);
-  EXPECT_EQ(again.hash(), viewer_.simulation().hash());
-}
 
 TEST_F(ViewerTest, StepsBackTickByTickAndForwardAgainToTheSameState) {
   tap(' ');
@@ -179,6 +49,32 @@ TEST_F(ViewerTest, ThePastCanBeLookedAtWithoutLosingTheRecord) {
   EXPECT_NEAR(viewer_.time(), 0.1, 1e-9);
   EXPECT_TRUE(viewer_.timeline().past);
   EXPECT_EQ(viewer_.record(), record);
+}
+
+TEST_F(ViewerTest, WhatIsKeptWithAPictureOfThePastEndsThere) {
+  tap(' ');
+  frames(30);
+  tap(']');
+  frames(30);
+  viewer_.turnToTime(0.1);
+  const PushLog log = viewer_.recordShown();
+  EXPECT_EQ(log.ticks, ticks());
+  EXPECT_TRUE(log.events.empty());
+  Simulation again(curtain(), findMethod(log.integrator), {.threads = 1});
+  again.replay(log, methods());
+  again.tick(log.ticks);
+  EXPECT_EQ(again.hash(), viewer_.simulation().hash());
+  EXPECT_EQ(hashText(again), log.hash);
+}
+
+TEST_F(ViewerTest, SingleStepsThroughThePastShowWhatWasSetThen) {
+  const double dt = viewer_.simulation().dt();
+  tap('.'), tap('.'), tap(']'), tap('.');
+  tap(','), tap(',');
+  EXPECT_EQ(viewer_.scene().dt, dt);
+  tap('.'), tap('.');
+  EXPECT_EQ(viewer_.scene().dt, viewer_.simulation().dt());
+  EXPECT_NEAR(viewer_.scene().dt, 1.05 * dt, 1e-12);
 }
 
 TEST_F(ViewerTest, GoingOnFromThePastForgetsWhatCameAfter) {
@@ -232,6 +128,17 @@ TEST_F(ViewerTest, SlowMotionMakesTimeSlower) {
   EXPECT_EQ(viewer_.speed(), 1);
 }
 
+TEST_F(ViewerTest, ASpeedThatIsChosenInAReplayOutlastsIt) {
+  tap(' ');
+  frames(90);
+  tap('J'), tap('\''), tap('\'');
+  const double chosen = viewer_.speed();
+  EXPECT_EQ(chosen, 0.5);
+  for (int frame = 0; frame < 600 && viewer_.state() == RunState::Running; ++frame) frames(1);
+  EXPECT_EQ(viewer_.state(), RunState::Paused);
+  EXPECT_EQ(viewer_.speed(), chosen);
+}
+
 TEST_F(ViewerTest, ARestartSurvivesARecordThatCannotBeKept) {
   viewer_.onRunEnd([](const PushLog&) { throw InputError("the disk is full"); });
   tap('.');
@@ -274,6 +181,14 @@ TEST_F(CalmViewerTest, FallsAsleepWhenNothingMovesAndThenNoTicksPass) {
   const std::int64_t then = ticks();
   frames(100);
   EXPECT_EQ(ticks(), then);
+}
+
+TEST_F(CalmViewerTest, AsleepItIsNotBehindRealTime) {
+  tap(' ');
+  for (int frame = 0; frame < 1800 && !viewer_.asleep(); ++frame) frames(1, 0.3);
+  ASSERT_TRUE(viewer_.asleep());
+  EXPECT_TRUE(viewer_.pace().behind) << "it was, until then";
+  EXPECT_FALSE(viewer_.behind());
 }
 
 TEST_F(CalmViewerTest, WhateverChangesSomethingWakesItAtOnce) {
@@ -358,21 +273,6 @@ TEST_F(ViewerTest, ASafeStepIsNineTenthsOfTheLimitWhereNothingFailed) {
   }
   tap('M');
   EXPECT_EQ(viewer_.method().name, "rk4") << "a method that holds is a way out of a failure";
-}
-
-TEST_F(WildViewerTest, AButtonOfAMethodThatRefusesTheSceneSaysSo) {
-  Scene axial = wild();
-  axial.damping = Damping::Axial;
-  viewer_.use(axial);
-  runUntilFrozen();
-  ASSERT_EQ(viewer_.state(), RunState::Frozen);
-  for (const char key : {'1', '2', '3', '4', '5', '6', '7', '8', '9'}) {
-    tap(key);
-    if (viewer_.method().name == "imex") break;
-  }
-  ASSERT_EQ(viewer_.method().name, "imex");
-  EXPECT_NO_THROW(viewer_.perform(InputAction::Restart));
-  EXPECT_NE(viewer_.note().find("axial"), std::string::npos) << viewer_.note();
 }
 
 }  // namespace

@@ -242,9 +242,7 @@ class ControlPanel final : public Panel {
     };
     if (button("Undo", "Ctrl+Z", scope.edits.canUndo())) scope.edits.undo(viewer);
     if (button("Redo", "Ctrl+Y or Ctrl+Shift+Z", scope.edits.canRedo())) scope.edits.redo(viewer);
-    if (button("Reset", "the scene's own values", viewer.scene() != scope.edits.original(viewer))) {
-      scope.edits.reset(viewer);
-    }
+    if (button("Reset", "as it was opened", scope.edits.canReset(viewer))) scope.edits.reset(viewer);
     if (edited) wanted = viewer.scene();
     if (button("Save .toml", "into the folder that tyg was started in", true)) save(viewer);
     ImGui::NewLine();
