@@ -56,7 +56,7 @@ until_true "and step" has_step 0.002
 
 # A click beside the cloth pushes the middle particle, whose number tells the size of the sheet.
 picks 210 || fail "the middle of 20x20 particles is 210, not $picked"
-point 170 527
+point 170 505
 xdotool click --repeat 2 --delay 50 1
 few_frames
 xdotool type --delay 150 10
@@ -92,7 +92,7 @@ for ending in png toml csv; do [[ -s tyg-flag-1.$ending ]] || fail "Y kept no ty
 "$tyg" run tyg-flag-1.toml --replay tyg-flag-1.csv >/dev/null || fail "nor does it on the kept scene"
 
 # What is recorded is the scene as it was edited.
-point 170 527
+point 170 505
 xdotool click --repeat 2 --delay 50 1
 few_frames
 xdotool type --delay 150 12
@@ -102,7 +102,7 @@ until_true "another sheet waits at its start" in_state waiting
 press space
 until_true "the edited flag flies" later_than 0.1
 # What acts at once, the drag of the air, is part of the record.
-click 240 468
+click 240 446
 look
 in_state running || fail "a change of the drag stopped the cloth"
 until_true "it flies on" later_than "$(awk "BEGIN { print $sim_s + 0.1 }")"

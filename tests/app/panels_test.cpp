@@ -57,6 +57,31 @@ class PanelsTest : public testing::Test {
       return window->Active && (window->Flags & ImGuiWindowFlags_Tooltip) != 0;
     });
   }
+  /// The lowest field of Control that has a tooltip; in its left half, the columns.
+  void restOnTheSheetsField() {
+    const ImRect panel = placeOf("Control");
+    for (float y = panel.Max.y; y > panel.Min.y && !showsTooltip(); y -= 6) {
+      ImGui::GetIO().MousePos = {panel.Min.x + 6.5F * 18, y}, frames(30);
+    }
+  }
+  static ImRect placeOf(const char* title) { return ImGui::FindWindowByName(title)->Rect(); }
+  static bool folded(const char* title) { return ImGui::FindWindowByName(title)->Collapsed; }
+  static void key(ImGuiKey key, bool down) {
+#if IMGUI_VERSION_NUM >= 18700
+    ImGui::GetIO().AddKeyEvent(key, down);
+#else
+    ImGui::GetIO().KeyMap[key] = key;
+    ImGui::GetIO().KeysDown[key] = down;
+#endif
+  }
+  void tap(ImGuiKey which) {
+    key(which, true), frames(2);
+    key(which, false), frames(2);
+  }
+  void type(const char* text) {
+    ImGui::GetIO().AddInputCharactersUTF8(text);
+    frames(2);
+  }
 
   struct Context {
     Context() { ImGui::CreateContext(); }
@@ -187,7 +212,7 @@ TEST_F(PanelsTest, HaveASizeInAWindowThatHasNone) {
   }
   ImGui::GetIO().DisplaySize = {1280, 720};
   frames();
-  EXPECT_TRUE(pressMouse(1000, 100));  // nobody dragged them away from their places
+  EXPECT_TRUE(pressMouse(1000, 50));  // nobody dragged them away from their places
 }
 
 TEST_F(PanelsTest, StayWhereTheyAreDraggedTo) {
@@ -212,6 +237,88 @@ TEST_F(PanelsTest, EndAboveWhatIsSaidBelowThem) {
   panels_.endAbove(700);
   frames();
   EXPECT_TRUE(pressMouse(100, 410));
+}
+
+/// At the right edge, none of them over another.
+std::vector<ImRect> standing(std::initializer_list<const char*> titles) {
+  std::vector<ImRect> places;
+  for (const char* title : titles) places.push_back(ImGui::FindWindowByName(title)->Rect());
+  std::ranges::sort(places, {}, [](const ImRect& place) { return place.Min.y; });
+  return places;
+}
+
+TEST_F(PanelsTest, WhereAnEdgeIsTooLowTheOldOnesFoldToTheirTitlesAndNothingOverlaps) {
+  const auto titles = {"Energy", "Traces", "Stretch", "Ghost", "Chart"};
+  for (const InputAction action : {InputAction::OpenEnergy, InputAction::OpenTraces, InputAction::OpenStretch,
+                                   InputAction::OpenGhost, InputAction::OpenChart}) {
+    panels_.toggle(action), frames();
+  }
+  panels_.endAbove(600), frames();
+  EXPECT_FALSE(folded("Chart"));
+  EXPECT_TRUE(folded("Energy"));
+  const auto places = standing(titles);
+  for (std::size_t k = 1; k < places.size(); ++k) EXPECT_GE(places[k].Min.y, places[k - 1].Max.y);
+  EXPECT_LE(places.back().Max.y, 600);
+  ImGui::GetIO().DisplaySize = {1920, 3000};
+  panels_.endAbove(3000), frames();
+  for (const char* title : titles) EXPECT_FALSE(folded(title)) << title;
+}
+
+TEST_F(PanelsTest, AClickOnAFoldedTitleMakesItTheNewest) {
+  panels_.endAbove(420);
+  panels_.toggle(InputAction::OpenEnergy), frames();
+  panels_.toggle(InputAction::OpenTraces), frames();
+  ASSERT_TRUE(folded("Energy"));
+  const ImVec2 at = placeOf("Energy").GetCenter();
+  EXPECT_TRUE(pressMouse(at.x, at.y));  // the panel's, not the cloth's
+  click(at.x, at.y);
+  EXPECT_FALSE(folded("Energy"));
+  EXPECT_TRUE(folded("Traces"));
+  click(placeOf("Traces").Max.x - 10, placeOf("Traces").GetCenter().y);  // its x
+  EXPECT_FALSE(panels_.isOpen(InputAction::OpenTraces));
+  EXPECT_TRUE(panels_.isOpen(InputAction::OpenEnergy));
+}
+
+TEST_F(PanelsTest, AreDrawnSmallerWhereTheWindowIsTooNarrowForThem) {
+  panels_.toggle(InputAction::OpenControl), frames();
+  const auto inTextSizes = [] {
+    const ImGuiWindow* window = ImGui::FindWindowByName("Control");
+    return window->Rect().GetWidth() / window->FontWindowScale;
+  };
+  const float wide = inTextSizes();
+  ImGui::GetIO().DisplaySize = {500, 720}, frames();
+  EXPECT_LT(placeOf("Control").GetWidth(), 250);
+  EXPECT_NEAR(inTextSizes(), wide, 2);
+}
+
+TEST_F(PanelsTest, ListsAndTooltipsHideWhatIsBelowThem) {
+  panels_.toggle(InputAction::OpenControl);
+  for (int background = 0; background < 2; ++background) {
+    frames();
+    EXPECT_EQ(ImGui::GetStyle().Colors[ImGuiCol_PopupBg].w, 1);
+    viewer_.perform(InputAction::ChangeBackground);
+  }
+}
+
+TEST_F(PanelsTest, ATooltipOfAFieldComesAtRestAndGoesBySelf) {
+  panels_.toggle(InputAction::OpenControl), frames();
+  restOnTheSheetsField();
+  ASSERT_TRUE(showsTooltip());
+  EXPECT_TRUE(panels_.busy());
+  frames(300);
+  EXPECT_FALSE(showsTooltip());
+  EXPECT_FALSE(panels_.busy());
+}
+
+TEST_F(PanelsTest, TabGoesFromColumnsToRowsAndAClampIsTold) {
+  panels_.toggle(InputAction::OpenControl), frames();
+  restOnTheSheetsField();
+  click(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
+  ASSERT_TRUE(ImGui::GetIO().WantTextInput);
+  type("7"), tap(ImGuiKey_Tab), type("900"), tap(ImGuiKey_Enter), frames();
+  EXPECT_EQ(viewer_.scene().columns, 7);
+  EXPECT_EQ(viewer_.scene().rows, 512);
+  EXPECT_EQ(viewer_.note(), "rows: 512 is the most");
 }
 
 }  // namespace

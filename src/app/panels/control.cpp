@@ -10,10 +10,12 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "app/edits.h"
 #include "app/overlay.h"
 #include "app/viewer.h"
+#include "core/text.h"
 #include "tyg/methods.h"
 
 namespace tyg {
@@ -32,6 +34,11 @@ void name(const char* text, float size) {
   ImGui::TextUnformatted(text);
   ImGui::SameLine(kLabels * size + ImGui::GetStyle().WindowPadding.x);
   ImGui::SetNextItemWidth(-1);
+}
+
+/// What the item drawn last is for.
+void tip(const PanelScope& scope, const std::string& text) {
+  if (scope.tips && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
 }
 
 void heading(const char* text, const char* explanation) {
@@ -63,6 +70,8 @@ class ControlPanel final : public Panel {
     heading("Sheet", "a change starts it anew");
     drawSheet(scope, wanted);
     take(viewer, wanted);
+    // After a start anew, which forgets notes.
+    if (!draft_ && !clamped_.empty()) viewer.note(std::exchange(clamped_, {}));
   }
 
  private:
@@ -96,9 +105,14 @@ class ControlPanel final : public Panel {
       }
       ImGui::EndCombo();
     }
-    name("step", scope.size);
+    const bool adaptive = findMethod(wanted.integrator).adaptive;
+    name(adaptive ? "tick" : "step", scope.size);
     if (slider("##step", wanted.dt, 1e3, {kShortestMs, kLongestMs}, "%.4g ms")) {
       wanted.dt = std::clamp(wanted.dt, kShortestMs * 1e-3, kLongestMs * 1e-3);
+    }
+    if (adaptive) {
+      tip(scope,
+          "between two looks; " + wanted.integrator + " chooses its own\nsteps in it, as small as the tolerance asks");
     }
     drawStepMargin(scope);
     drawTolerance(scope, wanted);
@@ -160,7 +174,7 @@ class ControlPanel final : public Panel {
     ImGui::InputInt2("##sheet", size_.data());
     typing_ = ImGui::IsItemActive();
     const bool typed = ImGui::IsItemDeactivatedAfterEdit();
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("columns and rows of particles, %.4g mm apart", 1e3 * wanted.spacing);
+    tip(scope, formatted("columns and rows of particles, %.4g mm apart", 1e3 * wanted.spacing));
     if (typed) resize(scope.viewer, wanted);
     name("precision", scope.size);
     constexpr std::array kPrecisions{"float, 4 bytes", "double, 8 bytes"};
@@ -174,8 +188,14 @@ class ControlPanel final : public Panel {
     if (ImGui::Combo("##law", &law, kLaws.data(), int(kLaws.size()))) wanted.damping = static_cast<Damping>(law);
   }
 
+  /// What does not fit is told.
   void resize(Viewer& viewer, Scene& wanted) {
-    for (int& count : size_) count = std::clamp(count, 1, kMostParticles);
+    for (const std::size_t k : {0U, 1U}) {
+      const int typed = std::exchange(size_.at(k), std::clamp(size_.at(k), 1, kMostParticles));
+      if (typed == size_.at(k)) continue;
+      if (!clamped_.empty()) clamped_ += ", ";
+      clamped_ += formatted("%s: %d is the %s", k == 0 ? "columns" : "rows", size_.at(k), typed < 1 ? "least" : "most");
+    }
     try {
       wanted = withSheet(wanted, size_[0], size_[1]);
     } catch (const InputError& error) {
@@ -217,13 +237,11 @@ class ControlPanel final : public Panel {
     name("gravity", scope.size);
     std::array<double, 3> gravity{wanted.gravity.x, wanted.gravity.y, wanted.gravity.z};
     constexpr double kLow = -kMostGravity;
-    if (ImGui::DragScalarN("##gravity", ImGuiDataType_Double, gravity.data(), 3, 0.05F, &kLow, &kMostGravity, "%.2f",
-                           ImGuiSliderFlags_AlwaysClamp)) {
+    if (ImGui::DragScalarN("##gravity", ImGuiDataType_Double, gravity.data(), 3, 0.05F, &kLow, &kMostGravity,
+                           "%.4g m/s\u00b2", ImGuiSliderFlags_AlwaysClamp)) {
       wanted.gravity = {gravity[0], gravity[1], gravity[2]};
     }
-    ImGui::Dummy({0, 0});
-    ImGui::SameLine(kLabels * scope.size + ImGui::GetStyle().WindowPadding.x);
-    ImGui::TextDisabled("x, y (up), z, m/s\u00b2");
+    tip(scope, "along x, y (up) and z");
     name("air drag", scope.size);
     slider("##drag", wanted.drag, 1, {0, kMostDrag}, "%.3g N s/m");
   }
@@ -231,10 +249,10 @@ class ControlPanel final : public Panel {
   void drawEdits(const PanelScope& scope, Scene& wanted) {
     Viewer& viewer = scope.viewer;
     bool edited = false;
-    const auto button = [&edited](const char* text, const char* tip, bool usable) {
+    const auto button = [&edited, &scope](const char* text, const char* says, bool usable) {
       if (!usable) ImGui::BeginDisabled();
       const bool pressed = ImGui::Button(text);
-      if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip);
+      tip(scope, says);
       if (!usable) ImGui::EndDisabled();
       ImGui::SameLine();
       edited = edited || pressed;
@@ -259,6 +277,7 @@ class ControlPanel final : public Panel {
   std::optional<Scene> draft_;  ///< what a held field has come to
   std::array<int, 2> size_{};   ///< of the sheet, as typed
   bool typing_ = false;
+  std::string clamped_;  ///< what was typed beyond what the sheet's size may be
 };
 
 }  // namespace

@@ -23,6 +23,7 @@ struct PanelScope {
   const Colours& colours;
   Background background;
   float size;  ///< of the text, pixels
+  bool tips;   ///< tooltips show: the mouse came to rest a moment ago, and nothing is held or typed
 };
 
 /// How the cloth is drawn in a frame, for panels that show something on it.

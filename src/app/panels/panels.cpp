@@ -4,7 +4,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 
@@ -15,7 +14,10 @@ namespace {
 constexpr float kWidestShare = 0.46F;
 constexpr float kNarrowest = 8;  ///< text sizes, in whatever window: ImGui takes no widget without a size
 /// From the window's edges, in text sizes: the title is above.
-constexpr float kSide = 0.6F, kAbove = 2.4F, kBetween = 0.5F;
+constexpr float kSide = 0.6F, kAbove = 2.4F, kBetween = 0.25F;
+/// For a folded panel to unfold by itself, in text sizes: else one with a line that comes and goes would flutter.
+constexpr float kLeeway = 2;
+constexpr double kTipFrom = 0.25, kTipUntil = 4;  ///< s of the mouse's rest, in which tooltips show
 constexpr float kLowest = 6;  ///< a panel is at least this high before it gets a scroll bar, in text sizes
 
 std::size_t placeOf(InputAction action) {
@@ -103,9 +105,16 @@ void Panels::paint(ClothPicture& picture) {
   for (const std::size_t which : order_) places_[which].panel->paint(picture);
 }
 
-float Panels::widthOf(const PanelKind& kind) const {
+/// A panel that gets less than the width it was made for is drawn smaller as a whole, so that nothing in it is cut.
+float Panels::textSize(const PanelKind& kind) const {
   const float share = std::max(kWidestShare * ImGui::GetIO().DisplaySize.x, kNarrowest * size_);
-  return std::round(std::min(kind.width * size_, share));
+  return std::min(size_, share / kind.width);
+}
+
+float Panels::widthOf(const PanelKind& kind) const { return std::round(kind.width * textSize(kind)); }
+
+bool Panels::stands(std::size_t which, Edge edge) const {
+  return places_[which].open && !places_[which].dragged && panelTable()[which].edge == edge;
 }
 
 float Panels::width(Edge edge) const {
@@ -118,53 +127,109 @@ float Panels::width(Edge edge) const {
 }
 
 bool Panels::busy() const {
+  // A tooltip comes and goes by itself.
+  if (ImGui::IsAnyItemHovered() && ImGui::GetTime() < rested_ + kTipUntil + 0.1) return true;
   return std::ranges::any_of(order_, [this](std::size_t which) { return places_[which].panel->busy(); });
 }
 
 void Panels::draw(Viewer& viewer) {
-  applyStyle(viewer.drawOptions().background, size_);
-  std::array<float, 2> top{kAbove * size_, kAbove * size_};
+  watchMouse();
+  arrange(Edge::Left), arrange(Edge::Right);
   for (std::size_t which = 0; which < places_.size(); ++which) {
-    Place& place = places_[which];
-    if (!place.open) continue;
-    float& y = top.at(static_cast<std::size_t>(panelTable()[which].edge));
-    drawOne(which, viewer, y);
-    if (place.open && !place.dragged) y += place.height + kBetween * size_;
+    if (places_[which].open) drawOne(which, viewer);
   }
 }
 
-void Panels::drawOne(std::size_t which, Viewer& viewer, float top) {
+void Panels::watchMouse() {
+  const ImVec2 moved = ImGui::GetIO().MouseDelta;
+  if (moved.x != 0 || moved.y != 0) rested_ = ImGui::GetTime();
+  if (ImGui::IsAnyItemActive()) rested_ = -1e6;  // until it moves again
+}
+
+/// The newest is whole; the others are as far as the height goes, the newer ones first.
+void Panels::arrange(Edge edge) {
+  const float top = kAbove * size_, between = kBetween * size_;
+  const float height = std::min(floor_, ImGui::GetIO().DisplaySize.y) - top;
+  float spare = height + between;
+  for (const std::size_t which : order_) {
+    if (stands(which, edge)) spare -= places_[which].title + between;
+  }
+  bool newest = true;
+  for (auto which = order_.rbegin(); which != order_.rend(); ++which) {
+    Place& place = places_[*which];
+    if (!stands(*which, edge)) continue;
+    const float more = std::max(0.0F, place.natural - place.title);
+    place.folded = !newest && more + (place.folded ? kLeeway * size_ : 0) > spare;
+    if (!place.folded) spare -= more;
+    newest = false;
+  }
+  float y = top;
+  for (std::size_t which = 0; which < places_.size(); ++which) {
+    Place& place = places_[which];
+    if (place.dragged) place.folded = false, place.room = height;
+    if (!stands(which, edge)) continue;
+    place.top = y;
+    place.room = std::max(std::max(place.natural, place.title) + spare, kLowest * size_);
+    y += (place.folded ? place.title : std::min(std::max(place.natural, place.title), place.room)) + between;
+  }
+}
+
+/// Where ImGui is to put the panel that begins next, and how large it may be.
+void Panels::place(std::size_t which) {
   const PanelKind& kind = panelTable()[which];
   Place& place = places_[which];
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float lowest = kLowest * size_, width = widthOf(kind);
-  const float bottom = std::min(floor_, screen.y);
-  // Where the edge is full, a panel lies over the others rather than below the window.
-  const float y = std::max(std::min(top, bottom - std::max(place.height, lowest)), std::min(kAbove * size_, top));
-  const float room = std::max(bottom - y, lowest);
-  const float x = std::round(kind.edge == Edge::Left ? kSide * size_ : screen.x - width - kSide * size_);
+  const float width = widthOf(kind), side = kSide * size_;
+  const float x = std::round(kind.edge == Edge::Left ? side : ImGui::GetIO().DisplaySize.x - width - side);
   // Only where its place has changed: ImGui moves a window that is being dragged before this.
-  if (!place.dragged && (x != place.x || std::round(y) != place.y)) {
-    place.x = x, place.y = std::round(y);
+  if (!place.dragged && (x != place.x || std::round(place.top) != place.y)) {
+    place.x = x, place.y = std::round(place.top);
     ImGui::SetNextWindowPos({place.x, place.y});
   }
-  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, room});
-  if (kind.height > 0) ImGui::SetNextWindowSize({width, std::min(kind.height * size_, room)});
-  bool open = true;
-  const int flags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
-                    ImGuiWindowFlags_NoNav | (kind.height > 0 ? 0 : ImGuiWindowFlags_AlwaysAutoResize);
-  const std::string title(kind.title);
-  ImGui::Begin(title.c_str(), &open, flags);
-  const Background background = viewer.drawOptions().background;
-  place.panel->draw({viewer, edits_, coloursOn(background), background, size_});
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, place.room});
+  if (kind.height > 0) ImGui::SetNextWindowSize({width, std::min(kind.height * textSize(kind), place.room)});
+  if (place.folded) ImGui::SetNextWindowCollapsed(true);
+}
+
+/// The panel that has just been drawn.
+void Panels::measure(std::size_t which) {
+  const PanelKind& kind = panelTable()[which];
+  Place& place = places_[which];
   const ImVec2 at = ImGui::GetWindowPos();
   place.shownX = at.x, place.shownY = at.y;
   place.width = ImGui::GetWindowWidth(), place.height = ImGui::GetWindowHeight();
+  place.title = ImGui::GetFrameHeight();
+  if (place.folded) return;
+  place.natural = kind.height > 0 ? kind.height * textSize(kind) : place.height + ImGui::GetScrollMaxY();
+}
+
+void Panels::drawOne(std::size_t which, Viewer& viewer) {
+  const PanelKind& kind = panelTable()[which];
+  Place& place = places_[which];
+  const Background background = viewer.drawOptions().background;
+  const float size = textSize(kind);
+  const double rest = ImGui::GetTime() - rested_;
+  const bool tips = rest > kTipFrom && rest < kTipUntil;
+  applyStyle(background, size);
+  this->place(which);
+  bool open = true;
+  // Tab goes through the fields while something is typed; else it is the key of a panel.
+  const int flags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
+                    (place.folded ? 0 : ImGuiWindowFlags_NoCollapse) |
+                    (ImGui::GetIO().WantTextInput ? 0 : ImGuiWindowFlags_NoNav) |
+                    (kind.height > 0 ? 0 : ImGuiWindowFlags_AlwaysAutoResize);
+  const std::string title(kind.title);
+  ImGui::Begin(title.c_str(), &open, flags);
+  // Of the title.
+  const bool clicked = ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+  ImGui::SetWindowFontScale(size / size_);
+  if (!place.folded) place.panel->draw({viewer, edits_, coloursOn(background), background, size, tips});
+  measure(which);
   // ImGui itself moves a panel that would stand outside of a small window.
   const bool byHand = ImGui::IsWindowFocused() && ImGui::IsMouseDragging(ImGuiMouseButton_Left);
   ImGui::End();
-  if (byHand && (std::abs(at.x - place.x) > 1 || std::abs(at.y - place.y) > 1)) place.dragged = true;
-  if (!open) setOpen(which, false);
+  if (byHand && std::max(std::abs(place.shownX - place.x), std::abs(place.shownY - place.y)) > 1) place.dragged = true;
+  if (!open) return setOpen(which, false);
+  if (place.folded && clicked) std::erase(order_, which), order_.push_back(which);
 }
 
 }  // namespace tyg

@@ -29,7 +29,8 @@ class Panels {
   void paint(ClothPicture& picture);
   /// Panels end above this height, pixels from the top of the window.
   void endAbove(float y) { floor_ = y; }
-  /// All open panels, between ImGui::NewFrame and ImGui::Render.
+  /// All open panels, between ImGui::NewFrame and ImGui::Render. Where an edge is too low for all that stand at it,
+  /// those opened longest ago are folded to their titles; a click on a title makes it the one opened last.
   void draw(Viewer& viewer);
 
   /// Pixels that panels standing at this edge take of the window's width; 0 where there are none.
@@ -41,7 +42,10 @@ class Panels {
     std::unique_ptr<Panel> panel;  ///< null until it is first opened
     bool open = false;
     bool dragged = false;                                 ///< stands where somebody put it
+    bool folded = false;                                  ///< only its title is shown
+    float top = 0, room = 0;                              ///< where it may stand, and how high it may be there
     float x = 0, y = 0;                                   ///< where it was placed, ImGui's units
+    float title = 0, natural = 0;                         ///< heights of its title and of all it has to show; 0 before
     float shownX = 0, shownY = 0, width = 0, height = 0;  ///< as last drawn; 0 before
   };
   [[nodiscard]] bool covers(double x, double y) const;
@@ -49,11 +53,18 @@ class Panels {
   void setOpen(std::size_t which, bool open);
   void closeLast();
   void handleControl(const WindowEvent& event, Viewer& viewer);
-  void drawOne(std::size_t which, Viewer& viewer, float top);
+  void arrange(Edge edge);
+  void watchMouse();
+  void drawOne(std::size_t which, Viewer& viewer);
+  void place(std::size_t which);
+  void measure(std::size_t which);
+  [[nodiscard]] bool stands(std::size_t which, Edge edge) const;
+  [[nodiscard]] float textSize(const PanelKind& kind) const;
   [[nodiscard]] float widthOf(const PanelKind& kind) const;
 
   float size_;
   float floor_ = 1e6F;
+  double rested_ = -1e6;  ///< s, ImGui's time at which the mouse last moved
   Edits edits_;
   std::vector<Place> places_;       ///< one for each line of the table
   std::vector<std::size_t> order_;  ///< of those open, last opened last

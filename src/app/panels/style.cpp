@@ -29,13 +29,14 @@ constexpr Colours kOnLight{.text = IM_COL32(28, 32, 40, 255),
                            .field = IM_COL32(226, 230, 238, 255)};
 
 using Series = std::array<Colour, 7>;
-constexpr Series kSeriesOnLight{IM_COL32(0, 114, 178, 255),   IM_COL32(213, 94, 0, 255),  IM_COL32(0, 158, 115, 255),
-                                IM_COL32(204, 121, 167, 255), IM_COL32(230, 159, 0, 255), IM_COL32(86, 180, 233, 255),
+// Of Okabe and Ito's two oranges the yellow one gives way to their yellow, darker on light.
+constexpr Series kSeriesOnLight{IM_COL32(0, 114, 178, 255),   IM_COL32(200, 70, 0, 255),  IM_COL32(0, 158, 115, 255),
+                                IM_COL32(204, 121, 167, 255), IM_COL32(190, 165, 0, 255), IM_COL32(86, 180, 233, 255),
                                 IM_COL32(0, 0, 0, 255)};
-// The first two are a little lighter, or they would sink into the dark; black becomes white.
-constexpr Series kSeriesOnDark{IM_COL32(64, 156, 224, 255),  IM_COL32(238, 120, 32, 255), IM_COL32(0, 178, 130, 255),
-                               IM_COL32(222, 144, 188, 255), IM_COL32(230, 159, 0, 255),  IM_COL32(126, 205, 250, 255),
-                               IM_COL32(240, 240, 240, 255)};
+// A little lighter, or they would sink into the dark; black becomes white.
+constexpr Series kSeriesOnDark{IM_COL32(40, 130, 210, 255),  IM_COL32(230, 100, 20, 255), IM_COL32(0, 170, 125, 255),
+                               IM_COL32(222, 144, 188, 255), IM_COL32(240, 228, 66, 255), IM_COL32(126, 205, 250, 255),
+                               IM_COL32(255, 255, 255, 255)};
 
 ImVec4 unpacked(Colour colour, float share = 1) {
   ImVec4 result = ImGui::ColorConvertU32ToFloat4(colour);
@@ -62,8 +63,10 @@ void applyStyle(Background background, float size) {
     style.Colors[place] = unpacked(colour, share);
   };
   set(ImGuiCol_Text, colours.text), set(ImGuiCol_TextDisabled, colours.dim);
-  set(ImGuiCol_WindowBg, colours.panel), set(ImGuiCol_PopupBg, colours.panel), set(ImGuiCol_ChildBg, colours.panel, 0);
+  set(ImGuiCol_WindowBg, colours.panel), set(ImGuiCol_ChildBg, colours.panel, 0);
+  set(ImGuiCol_PopupBg, colours.panel | IM_COL32_A_MASK);  // it lies over other text
   set(ImGuiCol_TitleBg, colours.panel), set(ImGuiCol_TitleBgActive, colours.field);
+  set(ImGuiCol_TitleBgCollapsed, colours.panel);
   set(ImGuiCol_Border, colours.dim, 0.35F), set(ImGuiCol_Separator, colours.dim, 0.35F);
   set(ImGuiCol_FrameBg, colours.field), set(ImGuiCol_FrameBgHovered, colours.accent, 0.25F);
   set(ImGuiCol_FrameBgActive, colours.accent, 0.4F);
