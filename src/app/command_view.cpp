@@ -148,10 +148,9 @@ class View {
     if (keeper_.filming()) {
       std::snprintf(text.data(), text.size(), "filming into %s  \u00b7  %.1f s  \u00b7  Z ends it",
                     keeper_.movieName().c_str(), keeper_.filmed());
-      hud_.notice(text.data());
-    } else {
-      hud_.notice(viewer_.state() == RunState::Running ? hints_.show(wallClock()) : std::string_view());
     }
+    hud_.filming(text.data());
+    hud_.notice(viewer_.state() == RunState::Running ? hints_.show(wallClock()) : std::string_view());
   }
 
   /// Where an edge has panels, they are there instead of the keys.

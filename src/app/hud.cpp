@@ -25,6 +25,9 @@ struct Hud::Column {
 namespace {
 
 constexpr float kTextPixels = 18, kLargeRatio = 1.5F, kLineRatio = 1.35F;
+/// Sizes of the text from the window's upper edge to the left keys: the title is there.
+constexpr float kAbove = 1 + 1.5F * kLineRatio;
+constexpr float kLeastFit = 0.55F;
 /// Of the window's width, for the keys on each side.
 constexpr float kKeysShare = 0.26F;
 ImVec2 extentOf(ImFont* font, float size, std::string_view text, float wrap = 0) {
@@ -120,13 +123,17 @@ Hud::Column Hud::measure(bool choices) const {
 Hud::Column Hud::columnOf(bool choices, const ImVec2& screen) const {
   Column column = measure(choices);
   const Column other = measure(!choices);
-  const auto lines = static_cast<float>(5 + std::max(column.lines, other.lines));  // the status is below
+  const auto lines =
+      static_cast<float>(std::max(column.lines, other.lines) + 1);  // one for the gap between the choices
+  const float height = screen.y - (kAbove + kFoot) * size_;
   const float width = size_ + std::max(column.width, other.width);
-  // A window too small for the keys gets smaller keys rather than cut ones, or keys over the cloth.
-  const float fit = std::min({1.0F, screen.y / (kLineRatio * size_ * lines), kKeysShare * screen.x / width});
+  // A window too small for the keys gets smaller keys rather than cut ones, or keys over the cloth; a very low one
+  // those that fit and can be read.
+  const float fit =
+      std::min({1.0F, std::max(kLeastFit, height / (kLineRatio * size_ * lines)), kKeysShare * screen.x / width});
   column.size *= fit, column.keys *= fit, column.width *= fit;
   column.left = choices ? screen.x - size_ - column.width : size_;
-  column.top = choices ? size_ : size_ * (1 + 1.5F * kLineRatio);  // the title is above the left one
+  column.top = choices ? size_ : size_ * kAbove;
   return column;
 }
 

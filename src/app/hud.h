@@ -36,12 +36,19 @@ class Hud {
   void draw(Viewer& viewer, Panels& panels);
   /// A line to show while the cloth runs and nothing weightier is to be said; empty: none.
   void notice(std::string_view text) { notice_ = text; }
+  /// A line to show in any case: what is being filmed; empty: nothing is.
+  void filming(std::string_view text) { filming_ = text; }
   [[nodiscard]] float textSize() const { return size_; }  ///< pixels
 
  private:
+  /// Heights at the foot, in sizes of the text: a line, the line of time, and both with the status below them.
+  static constexpr float kLine = 1.5F, kTimeLine = 2, kFoot = 2 + kLine + 0.6F + kTimeLine;
   struct Column;
   struct Middle;
-  [[nodiscard]] Middle middleBetween(const Panels& panels, float keys) const;
+  [[nodiscard]] Middle middleBetween(const Panels& panels, float keys, float bottom) const;
+  [[nodiscard]] Pen penIn(const Viewer& viewer, const Middle& middle) const;
+  static void ground(const Pen& pen, ImVec2 from, ImVec2 to, const Middle& middle);
+  static void sayInMiddle(const Pen& pen, ImU32 colour, std::string_view text, Middle& middle);
   [[nodiscard]] Column measure(bool choices) const;
   [[nodiscard]] Column columnOf(bool choices, const ImVec2& screen) const;
   void drawKeys(const Viewer& viewer, const Colours& colours, bool choices, float free) const;
@@ -49,8 +56,8 @@ class Hud {
   float drawFoot(const Viewer& viewer, Panels& panels);
   [[nodiscard]] float drawStatus(const Viewer& viewer) const;
   float drawTimeLine(const Viewer& viewer, float bottom);
-  void drawPrompt(const Viewer& viewer, const Middle& middle, float bottom) const;
-  float drawFailure(const Viewer& viewer, const Middle& middle, float bottom);
+  void drawPrompt(const Viewer& viewer, Middle& middle) const;
+  void drawFailure(const Viewer& viewer, Middle& middle);
   void drawArrow(const Viewer& viewer, const Colours& colours) const;
 
   Window& window_;
@@ -58,7 +65,7 @@ class Hud {
   ImFont* large_ = nullptr;
   float size_ = 18;  ///< of the text, in ImGui's units
   std::vector<HelpLine> help_;
-  std::string notice_;
+  std::string notice_, filming_;
   TimeLine timeLine_;
   Buttons buttons_;
 };

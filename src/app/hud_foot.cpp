@@ -12,9 +12,9 @@
 namespace tyg {
 namespace {
 
-constexpr float kLine = 1.5F, kLargeRatio = 1.5F;  // in sizes of the text
-constexpr float kTimeLine = 2;                     // its height
-constexpr float kLeastMiddle = 30;                 // to write in between the panels
+constexpr float kLargeRatio = 1.5F;  // in sizes of the text
+constexpr float kLeastMiddle = 30;   // to write in between the panels
+constexpr float kAbove = 0.6F;       // between what is said and what is below
 
 /// `1/8 speed`; nothing at full speed.
 void describeSpeed(double speed, std::array<char, 32>& text) {
@@ -40,18 +40,45 @@ std::vector<Buttons::Button> waysOut(const Viewer& viewer) {
 
 }  // namespace
 
-/// What is said in the middle stands between the panels, or below them where that is too narrow.
+/// What is said in the middle stands between the panels, or over them where that is too narrow.
 struct Hud::Middle {
-  float from = 0, to = 0;  ///< across the window
-  bool free = false;       ///< of panels
+  float from = 0, to = 0;     ///< across the window
+  float left = 0, right = 0;  ///< between panels and keys
+  bool free = false;          ///< of panels
+  float top = 0;              ///< above what has been said so far
+  float sides = 0;            ///< above what of it reaches into the sides
 };
 
 /// `keys`: the width that they take where there are no panels.
-Hud::Middle Hud::middleBetween(const Panels& panels, float keys) const {
+Hud::Middle Hud::middleBetween(const Panels& panels, float keys, float bottom) const {
   const float screen = ImGui::GetIO().DisplaySize.x;
   const auto side = [&](Edge edge) { return panels.width(edge) > 0 ? panels.width(edge) : keys; };
-  const Middle middle{side(Edge::Left), screen - side(Edge::Right), true};
-  return middle.to - middle.from < kLeastMiddle * size_ ? Middle{0, screen, false} : middle;
+  const float left = side(Edge::Left), right = screen - side(Edge::Right);
+  const bool free = right - left >= kLeastMiddle * size_;
+  return {free ? left : 0, free ? right : screen, left, right, free, bottom, bottom};
+}
+
+/// Over the panels where there is no room between them.
+Pen Hud::penIn(const Viewer& viewer, const Middle& middle) const {
+  Pen pen = penFor(viewer);
+  if (!middle.free) pen.list = ImGui::GetForegroundDrawList();
+  return pen;
+}
+
+/// Over panels it is twice as dense: their words would show through.
+void Hud::ground(const Pen& pen, ImVec2 from, ImVec2 to, const Middle& middle) {
+  pen.shade(from, to);
+  if (!middle.free) pen.shade(from, to);
+}
+
+void Hud::sayInMiddle(const Pen& pen, ImU32 colour, std::string_view text, Middle& middle) {
+  const float wrap = middle.to - middle.from - 4 * pen.size;
+  const ImVec2 extent = pen.extent(text, wrap);
+  const ImVec2 at{0.5F * (middle.from + middle.to - extent.x), middle.top - kAbove * pen.size - extent.y};
+  ground(pen, at, {at.x + extent.x, at.y + extent.y}, middle);
+  pen.write(at, colour, text, wrap);
+  middle.top = at.y - 0.3F * pen.size;
+  if (at.x < middle.left || at.x + extent.x > middle.right) middle.sides = middle.top;
 }
 
 /// Returns the height down to which keys may be written: what is said in the middle does not cover them.
@@ -59,17 +86,19 @@ float Hud::drawFoot(const Viewer& viewer, Panels& panels) {
   const float status = drawStatus(viewer);
   panels.endAbove(status - 0.8F * kTimeLine * size_);  // whether it is there or not: no panel jumps at a pause
   const float bottom = drawTimeLine(viewer, status);
-  if (viewer.state() == RunState::Frozen) {
-    const Middle middle = middleBetween(panels, 0);  // the keys give way to it
-    const float top = drawFailure(viewer, middle, bottom);
-    if (!middle.free) panels.endAbove(top - 0.6F * size_);
-    if (viewer.note().empty()) return top;
-    drawPrompt(viewer, middle, top);
-    return top - kLine * size_;
+  const bool frozen = viewer.state() == RunState::Frozen;
+  // The keys give way to a failure.
+  Middle middle = middleBetween(panels, viewer.showsHelp() && !frozen ? float(margin()) : 0, bottom);
+  const Pen pen = penIn(viewer, middle);
+  if (!filming_.empty()) sayInMiddle(pen, coloursOn(pen.background).text, filming_, middle);
+  if (frozen) {
+    drawFailure(viewer, middle);
+    if (!middle.free) panels.endAbove(middle.top - kAbove * size_);
+  } else {
+    buttons_.hide();
   }
-  buttons_.hide();
-  drawPrompt(viewer, middleBetween(panels, viewer.showsHelp() ? float(margin()) : 0), bottom);
-  return ImGui::GetIO().DisplaySize.y;
+  if (!frozen || !viewer.note().empty()) drawPrompt(viewer, middle);
+  return frozen ? middle.top : middle.sides;
 }
 
 /// Returns the height above which the window is free.
@@ -113,24 +142,24 @@ float Hud::drawTimeLine(const Viewer& viewer, float bottom) {
   return bottom - kTimeLine * size_;
 }
 
-/// Returns the height above which the window is free.
-float Hud::drawFailure(const Viewer& viewer, const Middle& middle, float bottom) {
-  const Pen pen = penFor(viewer);
+void Hud::drawFailure(const Viewer& viewer, Middle& middle) {
+  const Pen pen = penIn(viewer, middle);
+  const float bottom = middle.top - kAbove * size_;
   const std::vector<Buttons::Button> buttons = waysOut(viewer);
   const float room = middle.to - middle.from - 4 * size_;
   const ImVec2 extent = pen.extent(viewer.message(), room);
   const float row = Buttons::height(pen, buttons, room);
   const float width = std::max(extent.x, std::min(room, Buttons::width(pen, buttons)));
-  const ImVec2 at{0.5F * (middle.from + middle.to - width), bottom - 0.6F * size_ - row - 0.5F * size_ - extent.y};
-  pen.shade({at.x - 0.5F * size_, at.y - 0.4F * size_}, {at.x + width + 0.5F * size_, bottom - 0.6F * size_});
+  const ImVec2 at{0.5F * (middle.from + middle.to - width), bottom - row - 0.5F * size_ - extent.y};
+  ground(pen, {at.x - 0.5F * size_, at.y - 0.4F * size_}, {at.x + width + 0.5F * size_, bottom}, middle);
   pen.write(at, coloursOn(pen.background).warning, viewer.message(), room);
   buttons_.draw(pen, {at.x, at.y + extent.y + 0.5F * size_}, buttons, room);
-  return at.y - 0.4F * size_;
+  middle.top = at.y - 0.4F * size_;
 }
 
-void Hud::drawPrompt(const Viewer& viewer, const Middle& middle, float bottom) const {
+void Hud::drawPrompt(const Viewer& viewer, Middle& middle) const {
   std::array<char, 1024> text{};
-  Pen pen = penFor(viewer);
+  Pen pen = penIn(viewer, middle);
   ImU32 colour = coloursOn(pen.background).text;
   const auto say = [&text](const char* format, auto... values) {
     std::snprintf(text.data(), text.size(), format, values...);
@@ -156,12 +185,8 @@ void Hud::drawPrompt(const Viewer& viewer, const Middle& middle, float bottom) c
   }
   if (warns) colour = coloursOn(pen.background).warning;
   const bool prompts = viewer.state() == RunState::Waiting || viewer.state() == RunState::Paused;
-  if (!noted && prompts) pen.font = large_, pen.size *= kLargeRatio;
-  const float wrap = middle.to - middle.from - 4 * size_;
-  const ImVec2 extent = pen.extent(text.data(), wrap);
-  const ImVec2 at{0.5F * (middle.from + middle.to - extent.x), bottom - 0.6F * size_ - extent.y};
-  pen.shade(at, {at.x + extent.x, at.y + extent.y});
-  pen.write(at, colour, text.data(), wrap);
+  if (!noted && prompts && middle.free) pen.font = large_, pen.size *= kLargeRatio;
+  sayInMiddle(pen, colour, text.data(), middle);
 }
 
 }  // namespace tyg
