@@ -271,6 +271,11 @@ TEST_F(PanelsTest, AClickOnAFoldedTitleMakesItTheNewest) {
   ASSERT_TRUE(folded("Energy"));
   const ImVec2 at = placeOf("Energy").GetCenter();
   EXPECT_TRUE(pressMouse(at.x, at.y));  // the panel's, not the cloth's
+  ImGui::GetIO().MousePos = {600, 300}, frames(2);
+  ImGui::GetIO().MouseDown[0] = true, frames(2);
+  ImGui::GetIO().MousePos = at, frames(2);
+  ImGui::GetIO().MouseDown[0] = false, frames(2);
+  EXPECT_TRUE(folded("Energy"));  // a drag that ended there
   click(at.x, at.y);
   EXPECT_FALSE(folded("Energy"));
   EXPECT_TRUE(folded("Traces"));

@@ -204,7 +204,7 @@ class ControlPanel final : public Panel {
   }
 
   static void drawSprings(const PanelScope& scope, Scene& wanted) {
-    if (!ImGui::BeginTable("springs", 3)) return;
+    if (!ImGui::BeginTable("springs", 3, ImGuiTableFlags_SizingStretchSame)) return;
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed,
                             kLabels * scope.size - ImGui::GetStyle().CellPadding.x);
     ImGui::TableSetupColumn("stiffness");

@@ -25,6 +25,12 @@ std::size_t placeOf(InputAction action) {
   return static_cast<std::size_t>(std::ranges::find(table, action, &PanelKind::action) - table.begin());
 }
 
+/// A click that ends now and was no drag that came from somewhere else.
+bool clicked() {
+  const ImVec2 way = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left);
+  return ImGui::IsMouseReleased(ImGuiMouseButton_Left) && way.x == 0 && way.y == 0;
+}
+
 }  // namespace
 
 bool Panels::covers(double x, double y) const {
@@ -128,7 +134,7 @@ float Panels::width(Edge edge) const {
 
 bool Panels::busy() const {
   // A tooltip comes and goes by itself.
-  if (ImGui::IsAnyItemHovered() && ImGui::GetTime() < rested_ + kTipUntil + 0.1) return true;
+  if (ImGui::GetIO().WantCaptureMouse && ImGui::GetTime() < rested_ + kTipUntil + 0.1) return true;
   return std::ranges::any_of(order_, [this](std::size_t which) { return places_[which].panel->busy(); });
 }
 
@@ -175,7 +181,7 @@ void Panels::arrange(Edge edge) {
 }
 
 /// Where ImGui is to put the panel that begins next, and how large it may be.
-void Panels::place(std::size_t which) {
+void Panels::placeNext(std::size_t which) {
   const PanelKind& kind = panelTable()[which];
   Place& place = places_[which];
   const float width = widthOf(kind), side = kSide * size_;
@@ -210,7 +216,7 @@ void Panels::drawOne(std::size_t which, Viewer& viewer) {
   const double rest = ImGui::GetTime() - rested_;
   const bool tips = rest > kTipFrom && rest < kTipUntil;
   applyStyle(background, size);
-  this->place(which);
+  placeNext(which);
   bool open = true;
   // Tab goes through the fields while something is typed; else it is the key of a panel.
   const int flags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
@@ -219,17 +225,17 @@ void Panels::drawOne(std::size_t which, Viewer& viewer) {
                     (kind.height > 0 ? 0 : ImGuiWindowFlags_AlwaysAutoResize);
   const std::string title(kind.title);
   ImGui::Begin(title.c_str(), &open, flags);
-  // Of the title.
-  const bool clicked = ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+  const bool onTitle = ImGui::IsItemHovered();
   ImGui::SetWindowFontScale(size / size_);
   if (!place.folded) place.panel->draw({viewer, edits_, coloursOn(background), background, size, tips});
+  if (place.folded && onTitle && tips) ImGui::SetTooltip("a click unfolds it");
   measure(which);
   // ImGui itself moves a panel that would stand outside of a small window.
   const bool byHand = ImGui::IsWindowFocused() && ImGui::IsMouseDragging(ImGuiMouseButton_Left);
   ImGui::End();
   if (byHand && std::max(std::abs(place.shownX - place.x), std::abs(place.shownY - place.y)) > 1) place.dragged = true;
   if (!open) return setOpen(which, false);
-  if (place.folded && clicked) std::erase(order_, which), order_.push_back(which);
+  if (place.folded && onTitle && clicked()) std::erase(order_, which), order_.push_back(which);
 }
 
 }  // namespace tyg

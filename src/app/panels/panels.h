@@ -56,7 +56,7 @@ class Panels {
   void arrange(Edge edge);
   void watchMouse();
   void drawOne(std::size_t which, Viewer& viewer);
-  void place(std::size_t which);
+  void placeNext(std::size_t which);
   void measure(std::size_t which);
   [[nodiscard]] bool stands(std::size_t which, Edge edge) const;
   [[nodiscard]] float textSize(const PanelKind& kind) const;

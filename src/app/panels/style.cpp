@@ -34,7 +34,7 @@ constexpr Series kSeriesOnLight{IM_COL32(0, 114, 178, 255),   IM_COL32(200, 70, 
                                 IM_COL32(204, 121, 167, 255), IM_COL32(190, 165, 0, 255), IM_COL32(86, 180, 233, 255),
                                 IM_COL32(0, 0, 0, 255)};
 // A little lighter, or they would sink into the dark; black becomes white.
-constexpr Series kSeriesOnDark{IM_COL32(40, 130, 210, 255),  IM_COL32(230, 100, 20, 255), IM_COL32(0, 170, 125, 255),
+constexpr Series kSeriesOnDark{IM_COL32(50, 140, 216, 255),  IM_COL32(230, 100, 20, 255), IM_COL32(0, 170, 125, 255),
                                IM_COL32(222, 144, 188, 255), IM_COL32(240, 228, 66, 255), IM_COL32(126, 205, 250, 255),
                                IM_COL32(255, 255, 255, 255)};
 
