@@ -66,8 +66,10 @@ some_time 0.2
 # Another method beside it: the fifth line of the list, which then is the cloth's.
 click "$((width - 220))" 91
 click "$((width - 300))" 215
+look && before=$sim_s
 click "$((width - 300))" 122
 until_true "the ghost's method is swapped with the cloth's" uses leapfrog
+until_true "and both begin anew" earlier_than "$before"
 few_frames
 click "$((width - 300))" 122
 until_true "and swapped back" uses rk4

@@ -157,7 +157,7 @@ class View {
   [[nodiscard]] Margins margins() const {
     const int keys = viewer_.showsHelp() ? hud_.margin() : 0;
     const auto at = [&](Edge edge) { return panels_.width(edge) > 0 ? static_cast<int>(panels_.width(edge)) : keys; };
-    return {.left = at(Edge::Left), .right = at(Edge::Right)};
+    return {.left = at(Edge::Left), .right = at(Edge::Right), .beside = panels_.beside()};
   }
 
   void drawSheet() {

@@ -68,7 +68,7 @@ std::int64_t Ghost::forceEvaluations() const { return main_->forceEvaluations() 
 /// The live log grows at its end only, unless the live simulation went back in time: then it is shorter than before.
 bool Ghost::hasStrayed(const Simulation& live) const {
   const std::vector<LogEvent>& events = live.log().events;
-  if (live.ticks() < main_->ticks() || events.size() < played_.size()) return true;
+  if (goal_ < main_->ticks() || events.size() < played_.size()) return true;
   return !played_.empty() && !(events[played_.size() - 1] == played_.back());
 }
 
@@ -76,7 +76,7 @@ bool Ghost::hasStrayed(const Simulation& live) const {
 void Ghost::goBack(const Simulation& live) {
   const std::vector<LogEvent>& events = live.log().events;
   const auto same = static_cast<std::size_t>(std::ranges::mismatch(events, played_).in2 - played_.begin());
-  while (checkpoints_.back().tick > live.ticks() || checkpoints_.back().events > same) checkpoints_.pop_back();
+  while (checkpoints_.back().tick > goal_ || checkpoints_.back().events > same) checkpoints_.pop_back();
   const Checkpoint& checkpoint = checkpoints_.back();  // the first one is the start, which fits always
   main_->restore(checkpoint.main);
   twin_->restore(checkpoint.twin);
@@ -114,7 +114,7 @@ void Ghost::stride(const Simulation& live) {
     }
     played_.push_back(event);
   }
-  std::int64_t end = std::min(live.ticks(), main_->ticks() + kStride);
+  std::int64_t end = std::min(goal_, main_->ticks() + kStride);
   if (played_.size() < events.size()) end = std::min(end, events[played_.size()].tick);
   const std::int64_t count = end - main_->ticks();
   main_->tick(count);
@@ -135,23 +135,34 @@ bool Ghost::strideInTime(const Simulation& live, const Clock& clock) {
   return !late;
 }
 
-void Ghost::follow(const Simulation& live, double seconds, const Clock& clock) {
+void Ghost::follow(const Simulation& live, double seconds, const Clock& clock, const ShownMoment* shown) {
   if (live.startScene() != liveScene_) begin(live);
+  const std::int64_t goal = shown != nullptr ? shown->ticks : live.ticks();
+  if (goal < std::exchange(goal_, goal)) stalled_ = false;
   if (hasStrayed(live)) goBack(live);
-  if (live.ticks() < std::exchange(seen_, live.ticks())) stalled_ = false;
   const std::int64_t before = main_->ticks();
   const double start = clock();
-  while (!stalled_ && main_->ticks() < live.ticks() && main_->check() == Status::Ok) {
+  while (!stalled_ && main_->ticks() < goal_ && main_->check() == Status::Ok) {
     stalled_ = !strideInTime(live, clock);
     if (clock() - start >= seconds) break;
   }
-  behind_ = main_->ticks() == live.ticks() ? 0 : std::max(0.0, live.time() - main_->time());
+  const double time = shown != nullptr ? shown->time : live.time();
+  behind_ = main_->ticks() == goal_ ? 0 : std::max(0.0, time - main_->time());
+  watchGap(clock());
   if (main_->ticks() == before && gap_) return;
   main_->copyPositions(positions_);
-  if (main_->ticks() == live.ticks() && !stalled_) measure(live);
+  if (main_->ticks() == goal_ && !stalled_) measure(live, shown);
 }
 
-void Ghost::measure(const Simulation& live) {
+void Ghost::watchGap(double now) {
+  constexpr double kPatience = 1;  // s of the clock
+  const bool inStep = behind_ == 0;
+  if (!inStep && now - watched_ < kPatience) return;
+  losing_ = !inStep && behindThen_ > 0 && behind_ >= behindThen_;
+  watched_ = now, behindThen_ = behind_;
+}
+
+void Ghost::measure(const Simulation& live, const ShownMoment* shown) {
   const int count = live.sheet().count();
   distances_.resize(static_cast<std::size_t>(count));
   double square = 0, largest = 0, twinSquare = 0;
@@ -161,7 +172,9 @@ void Ghost::measure(const Simulation& live) {
   };
   for (int particle = 0; particle < count; ++particle) {
     const Vec3 here = main_->position(particle);
-    const double apart = squareBetween(live.position(particle), here);
+    const float* pictured = shown != nullptr ? &shown->positions[3 * static_cast<std::size_t>(particle)] : nullptr;
+    const Vec3 there = pictured != nullptr ? Vec3{pictured[0], pictured[1], pictured[2]} : live.position(particle);
+    const double apart = squareBetween(there, here);
     square += apart;
     largest = std::max(largest, apart);
     distances_[static_cast<std::size_t>(particle)] = static_cast<float>(std::sqrt(apart));
@@ -173,6 +186,8 @@ void Ghost::measure(const Simulation& live) {
   if (twinDistance_ > 0) told_.amplification = std::max(told_.amplification, apart / twinDistance_);
   const double disagreement = isReference() ? told_.amplification * scene_.tolerance : 0;
   gap.floor = errorFloor(size, told_.amplification, disagreement, live.scene().precision);
+  if (shown != nullptr) gap.floor = std::max(gap.floor, errorFloor(size, 1, 0, Precision::Float));  // as pictures are
+  if (std::isnan(told_.since)) told_.since = gap.time;
   if (gap.means()) told_.meant = gap.time;
   gap_ = gap;
 }

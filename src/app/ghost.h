@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,6 +27,13 @@ struct GhostGap {
   [[nodiscard]] bool means() const { return meansSomething(error, floor); }
 };
 
+/// A moment of the live run that is on the screen while the live simulation itself has gone on, to its alarm.
+struct ShownMoment {
+  std::int64_t ticks = 0;
+  double time = 0;                     ///< s
+  std::span<const float> positions{};  ///< x, y, z, m
+};
+
 class Ghost {
  public:
   using Clock = std::function<double()>;  ///< s, from any start
@@ -35,8 +43,9 @@ class Ghost {
   Ghost(const Simulation& live, const Method* second);
 
   /// Comes up to the live simulation's time, or as near as `seconds` of the clock allow (one stride at least). Where
-  /// the live one went back in time or began anew, so does the ghost; where its scene changed, it begins anew.
-  void follow(const Simulation& live, double seconds, const Clock& clock);
+  /// the live one went back in time or began anew, so does the ghost; where its scene changed, it begins anew. To
+  /// `shown` instead, where that is not null.
+  void follow(const Simulation& live, double seconds, const Clock& clock, const ShownMoment* shown = nullptr);
 
   [[nodiscard]] const Method& method() const { return *method_; }
   [[nodiscard]] bool isReference() const { return second_ == nullptr; }
@@ -44,6 +53,8 @@ class Ghost {
   [[nodiscard]] double time() const { return main_->time(); }          ///< s
   /// s from the ghost to the live cloth at the last follow(); 0: in step.
   [[nodiscard]] double behind() const { return behind_; }
+  /// It has come no nearer within a second of the clock.
+  [[nodiscard]] bool losing() const { return losing_; }
   [[nodiscard]] Status status() const { return main_->status(); }
   /// A tick of it took longer than a second: it has stopped, until the live one goes back in time or begins anew.
   [[nodiscard]] bool stalled() const { return stalled_; }
@@ -56,16 +67,19 @@ class Ghost {
   [[nodiscard]] std::span<const float> positions() const { return positions_; }
   /// The distance of each particle at gap()'s moment, m; empty without a gap.
   [[nodiscard]] std::span<const float> distances() const { return distances_; }
-  /// T* of the study, s: the last time at which ten floors fitted into the largest distance so far; NaN while they do,
-  /// and while the floor could not be seen in the window anyway.
+  /// T* of the study, s: the last time at which ten floors fitted into the largest distance so far, 0 where they never
+  /// did; NaN while they do, and while the floor could not be seen in the window anyway.
   [[nodiscard]] double horizon() const;
+  /// s, when they first met: what was before is not known. NaN before that.
+  [[nodiscard]] double comparedSince() const { return told_.since; }
 
  private:
   /// What the distances up to now have told.
   struct Told {
-    double amplification = 1;  ///< of the twin's distance, the largest
-    double error = 0;          ///< m, the largest RMS distance
-    double meant = 0;          ///< s, the last time at which it meant something
+    double amplification = 1;                                 ///< of the twin's distance, the largest
+    double error = 0;                                         ///< m, the largest RMS distance
+    double meant = 0;                                         ///< s, the last time at which it meant something
+    double since = std::numeric_limits<double>::quiet_NaN();  ///< s, the first time
   };
   /// A moment to go back to.
   struct Checkpoint {
@@ -82,7 +96,8 @@ class Ghost {
   void keepCheckpoint();
   void stride(const Simulation& live);
   bool strideInTime(const Simulation& live, const Clock& clock);
-  void measure(const Simulation& live);
+  void watchGap(double now);
+  void measure(const Simulation& live, const ShownMoment* shown);
 
   const Method *second_, *method_;
   Scene liveScene_, scene_;  ///< as the live one was begun; as the ghost runs it
@@ -91,9 +106,10 @@ class Ghost {
   std::vector<Checkpoint> checkpoints_;
   std::int64_t ticksBetweenCheckpoints_ = 0;
   double behind_ = 0;
-  bool stalled_ = false;
+  double watched_ = 0, behindThen_ = 0;  ///< s of the clock, and how far behind it was
+  bool losing_ = false, stalled_ = false;
   double twinDistance_ = 0;  ///< m, at the start
-  std::int64_t seen_ = 0;    ///< ticks of the live one at the last follow()
+  std::int64_t goal_ = 0;    ///< ticks to come up to
   Told told_;
   std::optional<GhostGap> gap_;
   std::vector<float> positions_, distances_;

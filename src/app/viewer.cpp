@@ -280,7 +280,11 @@ void Viewer::fitView() {
   if (pixels_.width <= 0 || pixels_.height <= 0) return;
   const int free = std::max(pixels_.width / 3, pixels_.width - margins_.left - margins_.right);
   aside_ = aside();
-  camera_.frame(inView_, float(free) / float(pixels_.height), aside_);
+  std::vector<glm::vec3> points = inView_;
+  if (margins_.beside > 0) {
+    for (const glm::vec3& point : inView_) points.push_back(point - margins_.beside * camera_.right());
+  }
+  camera_.frame(points, float(free) / float(pixels_.height), aside_);
   framed_ = true;
   cameraMoved_ = false;
 }

@@ -45,9 +45,10 @@ struct Timeline {
 
 using StepText = std::array<char, 48>;
 
-/// Pixels at the sides of the window that panels and keys take.
+/// What of the window is not the cloth's.
 struct Margins {
-  int left = 0, right = 0;
+  int left = 0, right = 0;  ///< pixels at its sides that panels and keys take
+  float beside = 0;         ///< m to the left of the cloth, as the camera sees it, stands a second one; 0: none
   bool operator==(const Margins&) const = default;
 };
 
@@ -64,9 +65,9 @@ class Viewer {
   void perform(InputAction action);
   /// Pauses at the kept moment nearest to this time, s.
   void turnToTime(double time);
-  /// Size of the window, and what of it is not the cloth's. The first one that is not empty frames the cloth in the
-  /// rest (a third of the window in any case), as F does. So do later ones, until the person moves the camera: from
-  /// then on the cloth stays as large as it is, and slides to the middle of what is free.
+  /// Size of the window, and what of it is not the cloth's. The first one that is not empty frames the cloth, and what
+  /// is beside it, in the rest (a third of the window in any case), as F does. So do later ones, until the person moves
+  /// the camera: from then on the cloth stays as large as it is, and slides to the middle of what is free.
   void resize(Extent pixels, Margins margins);
   /// Once a frame: moves the camera and the cloth to the present time.
   void frame();
@@ -120,9 +121,10 @@ class Viewer {
   [[nodiscard]] bool breaking() const { return breaking_; }             ///< runs on past its alarm
   [[nodiscard]] bool keyHeld() const { return repeated_.has_value(); }  ///< one that acts again and again
   [[nodiscard]] int pushes() const { return pushes_; }                  ///< clicks so far
-  /// x, y, z of the last good state, m, its time in s, and the box around it.
+  /// x, y, z of the last good state, m, its time in s, its ticks, and the box around it.
   [[nodiscard]] std::span<const float> positions() const { return positions_; }
   [[nodiscard]] double time() const { return time_; }
+  [[nodiscard]] std::int64_t shownTick() const { return shownTick_; }
   [[nodiscard]] const Box& box() const { return box_; }
   [[nodiscard]] int picked() const { return picked_; }  ///< the particle pushed last; -1 before any push
   /// The energies now; the dissipated one and the drift are followed from followLedger(true) on, restarts included.

@@ -144,6 +144,39 @@ TEST(Ghost, FallsBehindWhereItsTimeIsShortAndCatchesUp) {
   EXPECT_TRUE(ghost.gap());
 }
 
+TEST(Ghost, IsLosingOnlyWhereTheGapDoesNotShrink) {
+  Simulation live = liveOf(poke());
+  Ghost ghost(live, nullptr);
+  double now = 0;
+  const auto slowMachine = [&now] { return now += 0.1; };
+  for (int frame = 0; frame < 30; ++frame) live.tick(100), ghost.follow(live, 0.05, slowMachine);
+  EXPECT_TRUE(ghost.losing());
+  for (int frame = 0; frame < 30; ++frame) ghost.follow(live, 0.05, slowMachine);
+  EXPECT_GT(ghost.behind(), 0);
+  EXPECT_FALSE(ghost.losing());
+}
+
+TEST(Ghost, ComesUpToTheMomentShownWhereTheLiveClothHasGoneOnToItsAlarm) {
+  Scene scene = poke();
+  scene.dt = 0.008;
+  Simulation live = liveOf(scene, "explicit-euler");
+  Ghost early(live, nullptr);
+  std::vector<float> positions(3 * static_cast<std::size_t>(live.sheet().count()));
+  ShownMoment shown;
+  for (live.tick(4); live.check() == Status::Ok; live.tick(4)) {
+    followFully(early, live);
+    live.copyPositions(positions);
+    shown = {.ticks = live.ticks(), .time = live.time(), .positions = positions};
+  }
+  Ghost late(live, nullptr);
+  late.follow(live, kPlenty, stillClock, &shown);
+  EXPECT_EQ(late.time(), shown.time);
+  EXPECT_EQ(late.behind(), 0);
+  ASSERT_TRUE(late.gap());
+  EXPECT_GT(late.gap()->rms, 0);
+  EXPECT_NEAR(late.gap()->rms, early.gap()->rms, late.gap()->floor);
+}
+
 TEST(Ghost, ComesToAStandWhereATickTakesTooLongAndGoesOnAfterARestart) {
   Scene scene = poke();
   scene.dt = 5, scene.integrator = "backward-euler";  // thousands of the reference's steps in each tick

@@ -83,14 +83,39 @@ class PanelsTest : public testing::Test {
     frames(2);
   }
 
+  /// What the uppermost panel says in a frame.
+  std::string wordsOfFirst() {
+    ImGui::NewFrame();
+    ImGui::LogToClipboard();  // up to the end of a window
+    panels_.draw(viewer_);
+    ImGui::Render();
+    return ImGui::GetClipboardText();
+  }
+  static bool says(const std::string& text, const char* words) { return text.find(words) != std::string::npos; }
+  /// In the ghost's list of methods.
+  void makeLeapfrogTheGhost() {
+    panels_.toggle(InputAction::OpenGhost);
+    frames();
+    clickRow("Ghost", 0);
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const ImGuiWindow& list = *ImGui::FindWindowByName("##Combo_00");
+    click(list.Pos.x + 30, list.Pos.y + ImGui::GetStyle().WindowPadding.y + 4.5F * line);
+  }
+  /// One of the rows of widgets below a panel's title.
+  void clickRow(const char* panel, int row) {
+    const ImGuiWindow& window = *ImGui::FindWindowByName(panel);
+    const float top = window.Pos.y + window.TitleBarHeight() + window.WindowPadding.y;
+    click(window.Pos.x + 60, top + (float(row) + 0.5F) * ImGui::GetFrameHeightWithSpacing());
+  }
+
   struct Context {
     Context() { ImGui::CreateContext(); }
     ~Context() { ImGui::DestroyContext(); }
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
   } context_;
-  double now_ = 1;
-  Viewer viewer_{loadScene("curtain", methodNames()), Settings{.threads = 1}, [this] { return now_; }};
+  double now_ = 1, busy_ = 0;  ///< s; what each look at the clock takes
+  Viewer viewer_{loadScene("curtain", methodNames()), Settings{.threads = 1}, [this] { return now_ += busy_; }};
   Panels panels_{18, viewer_};
 };
 
@@ -200,6 +225,51 @@ TEST_F(PanelsTest, TracesTakeAParticleThatIsClickedOnTheClothOnceTheyAreAskedTo)
   for (float button = 690; button > 200 && !taken; button -= 8) click(870, button), taken = pressMouse(x, y);
   EXPECT_TRUE(taken);
   EXPECT_FALSE(pressMouse(x, y));  // once
+}
+
+TEST_F(PanelsTest, TheGhostAndTheClothAreSwappedAndBeginAnew) {
+  viewer_.perform(InputAction::StartOrPause);
+  makeLeapfrogTheGhost();
+  frames(20);
+  EXPECT_GT(viewer_.time(), 0.2);
+  clickRow("Ghost", 1);
+  EXPECT_EQ(viewer_.method().name, "leapfrog");
+  EXPECT_EQ(viewer_.state(), RunState::Running);
+  EXPECT_LT(viewer_.time(), 0.1);
+  EXPECT_TRUE(says(wordsOfFirst(), "rk4"));  // the ghost's method
+}
+
+TEST_F(PanelsTest, TheGhostIsNotShownWhereItIsOfAnotherTime) {
+  viewer_.perform(InputAction::StartOrPause);
+  frames(60);
+  panels_.toggle(InputAction::OpenGhost);
+  const auto shown = [this] {
+    ClothPicture picture{.options = viewer_.drawOptions()};
+    panels_.paint(picture);
+    return !picture.ghost.empty();
+  };
+  busy_ = 0.02;
+  frames(1);
+  EXPECT_FALSE(shown());
+  EXPECT_TRUE(says(wordsOfFirst(), "catching up"));
+  busy_ = 0;
+  frames(1);
+  EXPECT_TRUE(shown());
+}
+
+TEST_F(PanelsTest, TheGhostSaysWhereTheColoursAreThoseOfAnotherPanel) {
+  viewer_.perform(InputAction::StartOrPause);
+  panels_.toggle(InputAction::OpenGhost);
+  frames(20);
+  const auto words = [this] {
+    ClothPicture picture{.options = viewer_.drawOptions()};
+    panels_.paint(picture);
+    return wordsOfFirst();
+  };
+  EXPECT_FALSE(says(words(), "another panel"));
+  panels_.toggle(InputAction::OpenStretch);
+  frames();
+  EXPECT_TRUE(says(words(), "another panel"));
 }
 
 TEST_F(PanelsTest, HaveASizeInAWindowThatHasNone) {

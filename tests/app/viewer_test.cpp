@@ -312,4 +312,18 @@ TEST(ViewerOnASlowMachine, StaysResponsiveAndSaysSo) {
 }
 
 }  // namespace
+TEST_F(ViewerTest, TheViewTakesInASecondClothBesideTheFirst) {
+  constexpr float kAway = 2;  // m
+  viewer_.resize({.width = 1280, .height = 720}, {.left = 200, .right = 200, .beside = kAway});
+  const Camera& camera = viewer_.camera();
+  for (const glm::vec3 corner : viewer_.box().corners()) {
+    for (const glm::vec3 point : {corner, corner - kAway * camera.right()}) {
+      const glm::vec4 clip = camera.projection(1280.0F / 720) * camera.view() * glm::vec4(point, 1);
+      const float x = 640 * (1 + clip.x / clip.w);
+      EXPECT_GT(x, 200);
+      EXPECT_LT(x, 1080);
+    }
+  }
+}
+
 }  // namespace tyg

@@ -1,20 +1,20 @@
 // See ghost.h.
-#include "app/ghost.h"
+#include "app/panels/ghost.h"
 
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "app/ghost_words.h"
 #include "app/panels/colour_bar.h"
-#include "app/panels/ghost.h"
 #include "app/panels/paragraph.h"
 #include "app/viewer.h"
-#include "core/text.h"
 #include "tyg/methods.h"
 
 namespace tyg {
@@ -23,8 +23,6 @@ namespace {
 /// s of computing a frame: more would be felt in the frame rate, unless frames take long anyway.
 constexpr double kSecondsPerFrame = 0.008, kShareOfFrame = 0.25;
 constexpr float kOpacity = 0.5F;
-constexpr double kTellable = 2;   // floors: from there on a distance is more than the reference's own
-constexpr double kNoticed = 0.1;  // s behind, that the person is told of
 constexpr float kBeside = 1.15F;  // sheet sizes from the live cloth to a ghost beside it
 
 double secondsFor(const Viewer& viewer) {
@@ -36,10 +34,15 @@ class GhostPanel final : public Panel {
  public:
   void follow(Viewer& viewer) override {
     const Simulation& live = viewer.simulation();
-    if (live.status() != Status::Ok) return;
+    // Past its alarm the simulation is not what the window shows.
+    const ShownMoment shown{.ticks = viewer.shownTick(), .time = viewer.time(), .positions = viewer.positions()};
+    const bool failed = live.status() != Status::Ok && shown.ticks <= live.ticks();
     try {
       if (!ghost_) ghost_.emplace(live, second_);
-      ghost_->follow(live, secondsFor(viewer), [&viewer] { return viewer.now(); });
+      ghost_->follow(
+          live, secondsFor(viewer), [&viewer] { return viewer.now(); }, failed ? &shown : nullptr);
+      inStep_ = std::abs(ghost_->time() - viewer.time()) <= kNearlyInStep;
+      away_ = kBeside * static_cast<float>(live.sheet().size());
       if (beside_) shift(viewer);
     } catch (const std::exception& refusal) {  // a method that does not take this scene
       viewer.warn(refusal.what());
@@ -53,11 +56,13 @@ class GhostPanel final : public Panel {
     return ghost_ && ghost_->behind() > 0 && ghost_->status() == Status::Ok && !ghost_->stalled();
   }
 
+  [[nodiscard]] float beside() const override { return ghost_ && beside_ ? away_ : 0; }
+
   void paint(ClothPicture& picture) override {
-    if (!ghost_) return;
+    if (!ghost_ || !inStep_) return;
     picture.ghost = beside_ ? std::span<const float>(shifted_) : ghost_->positions();
     picture.ghostOpacity = beside_ ? 1 : kOpacity;
-    if (!coloured_ || !ghost_->gap()) return;
+    if (!colours()) return;
     top_ = steadyTop(top_, ghost_->gap()->largest);
     picture.options.colouring = {.by = Colouring::By::Particle,
                                  .ramp = Ramp::Growing,
@@ -72,17 +77,19 @@ class GhostPanel final : public Panel {
     if (ImGui::RadioButton("over the cloth", !beside_)) beside_ = false;
     ImGui::SameLine();
     if (ImGui::RadioButton("beside it", beside_)) beside_ = true;
+    if (beside_) sides(scope);
     ImGui::Checkbox("colour the cloth by its distance", &coloured_);
     if (!ghost_) return;
-    distances(scope);
-    state(scope);
+    say(scope, distanceWords(*ghost_));
+    if (colours()) scale(scope);
+    say(scope, meaningWords(*ghost_));
+    say(scope, progressWords(*ghost_));
   }
 
  private:
-  /// A size to the left, as the camera sees it.
+  /// To the left, as the camera sees it.
   void shift(const Viewer& viewer) {
-    const auto size = static_cast<float>(viewer.simulation().sheet().size());
-    const glm::vec3 way = -kBeside * size * viewer.camera().right();
+    const glm::vec3 way = -away_ * viewer.camera().right();
     const std::span<const float> from = ghost_->positions();
     shifted_.resize(from.size());
     for (std::size_t i = 0; i < from.size(); ++i) shifted_[i] = from[i] + way[static_cast<int>(i % 3)];
@@ -92,20 +99,24 @@ class GhostPanel final : public Panel {
     constexpr const char* kReference = "the true motion (reference)";
     const std::string chosen = second_ == nullptr ? kReference : std::string(second_->name);
     ImGui::SetNextItemWidth(-1);
-    if (!ImGui::BeginCombo("##ghost", chosen.c_str())) return;
+    if (!ImGui::BeginCombo("##ghost", chosen.c_str(), ImGuiComboFlags_HeightLarge)) return;
     if (ImGui::Selectable(kReference, second_ == nullptr)) use(nullptr);
     for (const Method& method : methods()) {
       if (ImGui::Selectable(std::string(method.name).c_str(), second_ == &method)) use(&method);
     }
     ImGui::EndCombo();
   }
-  /// The cloth goes on with the ghost's method, and the ghost has the cloth's.
+  /// From the start, as the ghost: a cloth that changed its method on the way would be the ghost up to there.
   void swap(Viewer& viewer) {
-    if (!ImGui::Button("swap with the cloth's method")) return;
+    if (!ImGui::Button("swap the two and restart")) return;
     const Method& cloths = viewer.method();
+    const bool running = viewer.state() == RunState::Running;
     Scene wanted = viewer.scene();
     wanted.integrator = second_->name;
-    if (viewer.use(wanted) != SceneChange::None) use(&cloths);
+    if (second_ != &cloths && viewer.use(wanted) == SceneChange::None) return;
+    use(&cloths);
+    viewer.perform(InputAction::Restart);
+    if (running) viewer.perform(InputAction::StartOrPause);
   }
   void use(const Method* second) {
     second_ = second;
@@ -113,46 +124,31 @@ class GhostPanel final : public Panel {
     top_ = 0;
   }
 
-  void distances(const PanelScope& scope) {
-    const std::optional<GhostGap>& gap = ghost_->gap();
-    if (!gap) {
-      ImGui::TextUnformatted("distance: they have not met yet");
-      return;
-    }
-    paragraph(formatted("distance: %.2g mm RMS, %.2g mm at most", 1e3 * gap->rms, 1e3 * gap->largest),
-              scope.colours.text);
-    if (coloured_ && top_ > 0) colourBar(scope, Ramp::Growing, 0, 1e3 * top_, "mm");
-    if (ghost_->time() == 0) return;
-    if (ghost_->horizon() <= gap->time) {
-      return paragraph(
-          formatted("The horizon passed at %.2f s: since then the cloth has made so much of rounding and of "
-                    "the smallest differences (%.2g mm) that the distance means nothing any more.",
-                    ghost_->horizon(), 1e3 * gap->floor),
-          scope.colours.warning);
-    }
-    if (gap->rms >= kTellable * gap->floor) {
-      return paragraph(formatted("Distances below %.1g mm mean nothing here.", 1e3 * gap->floor), scope.colours.dim);
-    }
-    paragraph(formatted("As close as can be told here: within %.1g mm.", 1e3 * gap->floor), scope.colours.good);
+  void sides(const PanelScope& scope) const {
+    const std::string ghost(second_ == nullptr ? "the true motion" : second_->name);
+    paragraph("left: ghost, " + ghost + "; right: the cloth, " + std::string(scope.viewer.method().name),
+              scope.colours.dim);
   }
-
-  void state(const PanelScope& scope) {
-    if (ghost_->status() != Status::Ok) {
-      return paragraph(formatted("The ghost's method failed at %.3f s.", ghost_->time()), scope.colours.warning);
+  [[nodiscard]] bool colours() const { return coloured_ && inStep_ && ghost_->gap(); }
+  void scale(const PanelScope& scope) const {
+    if (scope.colouredBy != Colouring::By::Particle) {
+      paragraph("The colours on the cloth are those of another panel.", scope.colours.dim);
+    } else if (top_ > 0) {
+      colourBar(scope, Ramp::Growing, 0, 1e3 * top_, "mm");
     }
-    if (ghost_->stalled()) {
-      return paragraph(formatted("The ghost came to a stand at %.3f s: its steps became too many.", ghost_->time()),
-                       scope.colours.warning);
-    }
-    if (ghost_->behind() > kNoticed) {
-      paragraph(formatted("The ghost is %.2f s behind: this machine cannot compute both in time.", ghost_->behind()),
-                scope.colours.warning);
-    }
+  }
+  static void say(const PanelScope& scope, const Sentence& sentence) {
+    if (sentence.text.empty()) return;
+    const Colours& colours = scope.colours;
+    const std::array inks{colours.text, colours.dim, colours.good, colours.warning};  // as Sentence::Tone has them
+    paragraph(sentence.text, inks.at(static_cast<std::size_t>(sentence.tone)));
   }
 
   const Method* second_ = nullptr;  ///< null: the reference
   std::optional<Ghost> ghost_;
   bool beside_ = false, coloured_ = true;
+  bool inStep_ = false;         ///< or nearly
+  float away_ = 0;              ///< m, from the cloth to a ghost beside it
   std::vector<float> shifted_;  ///< the ghost's positions, beside the cloth
   double top_ = 0;              ///< m, at the end of the colours
 };

@@ -22,8 +22,9 @@ struct PanelScope {
   Edits& edits;
   const Colours& colours;
   Background background;
-  float size;  ///< of the text, pixels
-  bool tips;   ///< tooltips show: the mouse came to rest a moment ago, and nothing is held or typed
+  float size;                ///< of the text, pixels
+  bool tips;                 ///< tooltips show: the mouse came to rest a moment ago, and nothing is held or typed
+  Colouring::By colouredBy;  ///< what the colours on the cloth are by, of whichever panel
 };
 
 /// How the cloth is drawn in a frame, for panels that show something on it.
@@ -50,6 +51,8 @@ class Panel {
   virtual void follow(Viewer& /*viewer*/) {}
   /// Before each picture while it is open.
   virtual void paint(ClothPicture& /*picture*/) {}
+  /// m to the left of the cloth, as the camera sees it, at which it shows a second one, while it is open; 0: none.
+  [[nodiscard]] virtual float beside() const { return 0; }
   /// It was closed: what runs in the background stops.
   virtual void close() {}
   /// True while it has something new to show by itself; the window then keeps drawing even where the cloth rests.

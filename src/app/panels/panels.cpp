@@ -109,6 +109,7 @@ void Panels::follow(Viewer& viewer) {
 
 void Panels::paint(ClothPicture& picture) {
   for (const std::size_t which : order_) places_[which].panel->paint(picture);
+  colouredBy_ = picture.options.colouring.by;
 }
 
 /// A panel that gets less than the width it was made for is drawn smaller as a whole, so that nothing in it is cut.
@@ -130,6 +131,12 @@ float Panels::width(Edge edge) const {
     if (kind.edge == edge && !places_[which].dragged) widest = std::max(widest, widthOf(kind) + 2 * kSide * size_);
   }
   return widest;
+}
+
+float Panels::beside() const {
+  float farthest = 0;
+  for (const std::size_t which : order_) farthest = std::max(farthest, places_[which].panel->beside());
+  return farthest;
 }
 
 bool Panels::busy() const {
@@ -227,7 +234,7 @@ void Panels::drawOne(std::size_t which, Viewer& viewer) {
   ImGui::Begin(title.c_str(), &open, flags);
   const bool onTitle = ImGui::IsItemHovered();
   ImGui::SetWindowFontScale(size / size_);
-  if (!place.folded) place.panel->draw({viewer, edits_, coloursOn(background), background, size, tips});
+  if (!place.folded) place.panel->draw({viewer, edits_, coloursOn(background), background, size, tips, colouredBy_});
   if (place.folded && onTitle && tips) ImGui::SetTooltip("a click unfolds it");
   measure(which);
   // ImGui itself moves a panel that would stand outside of a small window.

@@ -35,6 +35,8 @@ class Panels {
 
   /// Pixels that panels standing at this edge take of the window's width; 0 where there are none.
   [[nodiscard]] float width(Edge edge) const;
+  /// Margins::beside.
+  [[nodiscard]] float beside() const;
   [[nodiscard]] bool busy() const;
 
  private:
@@ -64,7 +66,8 @@ class Panels {
 
   float size_;
   float floor_ = 1e6F;
-  double rested_ = -1e6;  ///< s, ImGui's time at which the mouse last moved
+  double rested_ = -1e6;                              ///< s, ImGui's time at which the mouse last moved
+  Colouring::By colouredBy_ = Colouring::By::Family;  ///< since the last paint()
   Edits edits_;
   std::vector<Place> places_;       ///< one for each line of the table
   std::vector<std::size_t> order_;  ///< of those open, last opened last
