@@ -89,7 +89,9 @@ class Soak {
   int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
 
   [[nodiscard]] Margins margins() const {
-    return {.left = int(panels_->width(Edge::Left)), .right = int(panels_->width(Edge::Right))};
+    return {.left = int(panels_->width(Edge::Left)),
+            .right = int(panels_->width(Edge::Right)),
+            .beside = panels_->beside()};
   }
 
   void frame() {

@@ -10,48 +10,13 @@
 #include <set>
 #include <thread>
 
-#include "app/viewer.h"
-#include "tyg/methods.h"
+#include "app/panels_fixture.h"
 
 namespace tyg {
 namespace {
 
-using Kind = WindowEvent::Kind;
-
-/// Panels on a screen that is not there, with a mouse and a clock that the test moves.
-class PanelsTest : public testing::Test {
+class PanelsTest : public PanelsFixture {
  protected:
-  PanelsTest() {
-    ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = {1280, 720};
-    io.IniFilename = nullptr;
-    io.Fonts->Build();
-    viewer_.resize({.width = 1280, .height = 720}, {.left = 200, .right = 200});
-  }
-  void frames(int count = 4) {
-    for (int k = 0; k < count; ++k) {
-      now_ += 1.0 / 60;
-      viewer_.frame();
-      panels_.follow(viewer_);
-      ImGui::NewFrame();
-      panels_.draw(viewer_);
-      ImGui::Render();
-    }
-  }
-  bool press(KeyCode key, bool control = false, bool shift = false) {
-    return panels_.handle({.kind = Kind::Press, .key = key, .control = control, .shift = shift}, viewer_);
-  }
-  bool pressMouse(double x, double y) {
-    return panels_.handle({.kind = Kind::Press, .key = kLeftButton, .x = x, .y = y}, viewer_);
-  }
-
-  /// Rests there, goes down and comes up.
-  void click(float x, float y) {
-    ImGuiIO& io = ImGui::GetIO();
-    io.MousePos = {x, y}, frames(2);
-    io.MouseDown[0] = true, frames(1);
-    io.MouseDown[0] = false, frames(2);
-  }
   static bool showsTooltip() {
     return std::ranges::any_of(ImGui::GetCurrentContext()->Windows, [](const ImGuiWindow* window) {
       return window->Active && (window->Flags & ImGuiWindowFlags_Tooltip) != 0;
@@ -82,41 +47,6 @@ class PanelsTest : public testing::Test {
     ImGui::GetIO().AddInputCharactersUTF8(text);
     frames(2);
   }
-
-  /// What the uppermost panel says in a frame.
-  std::string wordsOfFirst() {
-    ImGui::NewFrame();
-    ImGui::LogToClipboard();  // up to the end of a window
-    panels_.draw(viewer_);
-    ImGui::Render();
-    return ImGui::GetClipboardText();
-  }
-  static bool says(const std::string& text, const char* words) { return text.find(words) != std::string::npos; }
-  /// In the ghost's list of methods.
-  void makeLeapfrogTheGhost() {
-    panels_.toggle(InputAction::OpenGhost);
-    frames();
-    clickRow("Ghost", 0);
-    const float line = ImGui::GetTextLineHeightWithSpacing();
-    const ImGuiWindow& list = *ImGui::FindWindowByName("##Combo_00");
-    click(list.Pos.x + 30, list.Pos.y + ImGui::GetStyle().WindowPadding.y + 4.5F * line);
-  }
-  /// One of the rows of widgets below a panel's title.
-  void clickRow(const char* panel, int row) {
-    const ImGuiWindow& window = *ImGui::FindWindowByName(panel);
-    const float top = window.Pos.y + window.TitleBarHeight() + window.WindowPadding.y;
-    click(window.Pos.x + 60, top + (float(row) + 0.5F) * ImGui::GetFrameHeightWithSpacing());
-  }
-
-  struct Context {
-    Context() { ImGui::CreateContext(); }
-    ~Context() { ImGui::DestroyContext(); }
-    Context(const Context&) = delete;
-    Context& operator=(const Context&) = delete;
-  } context_;
-  double now_ = 1, busy_ = 0;  ///< s; what each look at the clock takes
-  Viewer viewer_{loadScene("curtain", methodNames()), Settings{.threads = 1}, [this] { return now_ += busy_; }};
-  Panels panels_{18, viewer_};
 };
 
 TEST_F(PanelsTest, EveryPanelHasAKeyThatOpensAndClosesIt) {
@@ -225,51 +155,6 @@ TEST_F(PanelsTest, TracesTakeAParticleThatIsClickedOnTheClothOnceTheyAreAskedTo)
   for (float button = 690; button > 200 && !taken; button -= 8) click(870, button), taken = pressMouse(x, y);
   EXPECT_TRUE(taken);
   EXPECT_FALSE(pressMouse(x, y));  // once
-}
-
-TEST_F(PanelsTest, TheGhostAndTheClothAreSwappedAndBeginAnew) {
-  viewer_.perform(InputAction::StartOrPause);
-  makeLeapfrogTheGhost();
-  frames(20);
-  EXPECT_GT(viewer_.time(), 0.2);
-  clickRow("Ghost", 1);
-  EXPECT_EQ(viewer_.method().name, "leapfrog");
-  EXPECT_EQ(viewer_.state(), RunState::Running);
-  EXPECT_LT(viewer_.time(), 0.1);
-  EXPECT_TRUE(says(wordsOfFirst(), "rk4"));  // the ghost's method
-}
-
-TEST_F(PanelsTest, TheGhostIsNotShownWhereItIsOfAnotherTime) {
-  viewer_.perform(InputAction::StartOrPause);
-  frames(60);
-  panels_.toggle(InputAction::OpenGhost);
-  const auto shown = [this] {
-    ClothPicture picture{.options = viewer_.drawOptions()};
-    panels_.paint(picture);
-    return !picture.ghost.empty();
-  };
-  busy_ = 0.02;
-  frames(1);
-  EXPECT_FALSE(shown());
-  EXPECT_TRUE(says(wordsOfFirst(), "catching up"));
-  busy_ = 0;
-  frames(1);
-  EXPECT_TRUE(shown());
-}
-
-TEST_F(PanelsTest, TheGhostSaysWhereTheColoursAreThoseOfAnotherPanel) {
-  viewer_.perform(InputAction::StartOrPause);
-  panels_.toggle(InputAction::OpenGhost);
-  frames(20);
-  const auto words = [this] {
-    ClothPicture picture{.options = viewer_.drawOptions()};
-    panels_.paint(picture);
-    return wordsOfFirst();
-  };
-  EXPECT_FALSE(says(words(), "another panel"));
-  panels_.toggle(InputAction::OpenStretch);
-  frames();
-  EXPECT_TRUE(says(words(), "another panel"));
 }
 
 TEST_F(PanelsTest, HaveASizeInAWindowThatHasNone) {

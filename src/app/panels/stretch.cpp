@@ -46,9 +46,12 @@ class StretchPanel final : public Panel {
   }
 
   void draw(const PanelScope& scope) override {
-    colourBar(scope, Ramp::Balanced, -100 * top_, 100 * top_, beyond_ ? "% and beyond" : "%");
+    const bool shown = scope.colouredBy == Colouring::By::Strain;
+    if (shown) colourBar(scope, Ramp::Balanced, -100 * top_, 100 * top_, beyond_ ? "% and beyond" : "%");
     table(scope);
-    paragraph("Springs that are longer than at rest are warm, shorter ones cold.", scope.colours.dim);
+    paragraph(shown ? "Springs that are longer than at rest are warm, shorter ones cold."
+                    : "The colours on the cloth are those of another panel.",
+              scope.colours.dim);
   }
 
  private:
