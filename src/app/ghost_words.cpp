@@ -30,12 +30,11 @@ Sentence meaningWords(const Ghost& ghost) {
   if (!gap || gap->time == 0) return {};
   const std::string floor = lengthText(gap->floor);
   if (ghost.horizon() == 0) {
-    return {
-        formatted("Since they first met, at %.2f s, the distance never was clearly more than what this cloth makes of "
-                  "rounding and of the smallest differences (",
-                  ghost.comparedSince()) +
-            floor + " by now): it means nothing.",
-        Tone::Warning};
+    const double since = ghost.comparedSince();
+    return {(since > 0 ? formatted("Since they first met, at %.2f s, the distance", since) : "The distance") +
+                " never was clearly more than what this cloth makes of rounding and of the smallest differences (" +
+                floor + " by now): it means nothing.",
+            Tone::Warning};
   }
   if (ghost.horizon() <= gap->time) {
     return {formatted("The horizon passed at %.2f s: since then the cloth has made so much of rounding and of the "

@@ -31,6 +31,10 @@ TEST(GhostWords, OfADistanceThatNeverMeantAnythingNameNoHorizonAndWriteLengthsOu
   EXPECT_FALSE(says(meaning, "horizon"));
   EXPECT_TRUE(says(meaning, "mm by now)") || says(meaning, " m by now)")) << meaning.text;
   EXPECT_EQ(meaning.text.find("e+"), std::string::npos) << meaning.text;
+  Simulation still = chaos();
+  Ghost early(still, nullptr);
+  for (early.follow(still, 1e9, stillClock); still.time() < 3; early.follow(still, 1e9, stillClock)) still.tick(3000);
+  EXPECT_EQ(meaningWords(early).text.rfind("The distance never was", 0), 0U) << meaningWords(early).text;
 }
 
 TEST(GhostWords, TellCatchingUpFromBeingTooSlow) {
