@@ -91,7 +91,7 @@ void drawMarginBar(const Pen& pen, ImVec2 from, ImVec2 to, const Margin& margin)
   pen.list->AddLine({at(1), from.y - over}, {at(1), to.y + over}, ink.text, std::max(2.0F, pen.size / 9));
 }
 
-float drawMargin(const Pen& pen, ImVec2 at, float width, const Margin& margin) {
+float drawMargin(Pen pen, ImVec2 at, float width, const Margin& margin) {
   const Colours& ink = coloursOn(pen.background);
   MarginText text;
   describe(margin, text);
@@ -103,6 +103,7 @@ float drawMargin(const Pen& pen, ImVec2 at, float width, const Margin& margin) {
   }
   const bool bar = margin.band() != MarginBand::None;
   const float barWidth = bar ? std::min(9 * pen.size, 0.3F * width) : 0, gap = bar ? 0.6F * pen.size : 0;
+  pen.size *= std::min(1.0F, (width - barWidth - gap) / std::max(1.0F, pen.extent(text.data()).x));
   const float words = pen.extent(text.data()).x, costs = pen.extent(cost.data()).x;
   const bool fits = barWidth + gap + words + costs <= width;
   const float used = barWidth + gap + words + (fits ? costs : 0);

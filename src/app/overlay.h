@@ -34,7 +34,7 @@ struct Pen {
 /// green, amber from 0.9 on, red and hatched from 1 on. Nothing is drawn where there is no limit.
 void drawMarginBar(const Pen& pen, ImVec2 from, ImVec2 to, const Margin& margin);
 /// That bar and what it says in words, `width` wide at most; returns the width used.
-float drawMargin(const Pen& pen, ImVec2 at, float width, const Margin& margin);
+float drawMargin(Pen pen, ImVec2 at, float width, const Margin& margin);
 
 /// The last ten seconds as a line with a handle.
 class TimeLine {

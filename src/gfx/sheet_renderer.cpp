@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "gfx/gl_objects.h"
+#include "view/round_step.h"
 #include "view/sheet_lines.h"
 
 namespace tyg {
@@ -73,13 +74,6 @@ struct Lines {
     glTexBuffer(GL_TEXTURE_BUFFER, GL_RG32UI, buffer.name());
   }
 };
-
-/// 1, 2 or 5 times a power of ten, about a quarter of the sheet.
-float gridCell(double sheetSize) {
-  const double wanted = sheetSize / 4, power = std::pow(10.0, std::floor(std::log10(wanted)));
-  const double ratio = wanted / power;
-  return static_cast<float>(power * (ratio < 1.5 ? 1 : ratio < 3.5 ? 2 : ratio < 7.5 ? 5 : 10));
-}
 
 glm::vec2 middleOnGround(const Sheet& sheet) {
   const Vec3 first = sheet.startPosition(0), last = sheet.startPosition(sheet.count() - 1);
@@ -205,7 +199,7 @@ void SheetRenderer::Body::drawSurroundings(const Frame& frame) const {
   surroundingsProgram.set("grid", frame.palette.grid);
   surroundingsProgram.set("eye", camera.eye());
   surroundingsProgram.set("height", groundHeight(sheet));
-  surroundingsProgram.set("cell", gridCell(sheet.size()));
+  surroundingsProgram.set("cell", static_cast<float>(roundStep(sheet.size() / 4)));
   surroundingsProgram.set("middle", middleOnGround(sheet));
   surroundingsProgram.set("extent", kGroundExtent * static_cast<float>(sheet.size()));
   glBindVertexArray(nothing.name());

@@ -9,6 +9,7 @@
 
 #include "app/viewer.h"
 #include "core/text.h"
+#include "view/round_step.h"
 
 namespace tyg {
 namespace {
@@ -35,9 +36,7 @@ Range rangeOf(const RunningSeries& series, std::span<const RunningCurve> curves,
     const double middle = (low + high) / 2;
     low = middle - least / 2, high = middle + least / 2;
   }
-  const double wanted = (high - low) / 3, power = std::pow(10.0, std::floor(std::log10(wanted)));
-  const double ratio = wanted / power;
-  const double step = power * (ratio < 1.5 ? 1 : ratio < 3.5 ? 2 : ratio < 7.5 ? 5 : 10);
+  const double step = roundStep((high - low) / 3);
   return {step * std::floor(low / step), step * std::ceil(high / step), step};
 }
 
