@@ -2,6 +2,7 @@
 #include "app/panels/style.h"
 
 #include <gtest/gtest.h>
+#include <imgui.h>
 
 #include <array>
 #include <cmath>
@@ -45,6 +46,15 @@ TEST(Style, SevenSeriesAreToldApartByTheColourBlind) {
       }
     }
   }
+}
+
+TEST(Style, LeavesTheCornersOfWhatMayBeTwoPixelsLongSquare) {
+  ImGui::CreateContext();
+  applyStyle(Background::Dark, 18);
+  const ImGuiStyle style = ImGui::GetStyle();
+  ImGui::DestroyContext();
+  EXPECT_EQ(style.ScrollbarRounding, 0);
+  EXPECT_EQ(style.GrabRounding, 0);
 }
 
 }  // namespace

@@ -80,7 +80,10 @@ void applyStyle(Background background, float size) {
   set(ImGuiCol_ScrollbarBg, colours.panel, 0), set(ImGuiCol_ScrollbarGrab, colours.dim, 0.5F);
   // Whole pixels: ImGui gives a window that fits its contents a scroll bar for a fraction of one.
   const auto sizes = [size](float times) { return std::round(times * size); };
-  style.WindowRounding = style.FrameRounding = style.PopupRounding = style.GrabRounding = sizes(0.3F);
+  style.WindowRounding = style.FrameRounding = style.PopupRounding = sizes(0.3F);
+  // ImGui 1.86 divides by zero where a rounded rectangle is two pixels and a millionth long, as a scroll bar may be in
+  // a window that somebody makes small.
+  style.ScrollbarRounding = style.GrabRounding = 0;
   style.WindowPadding = {sizes(0.7F), sizes(0.5F)};
   style.FramePadding = {sizes(0.45F), sizes(0.2F)};
   style.ItemSpacing = {sizes(0.45F), sizes(0.25F)};
