@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <string>
 
 namespace tyg {
@@ -168,9 +169,9 @@ void Panels::arrange(Edge edge) {
     if (stands(which, edge)) spare -= places_[which].title + between;
   }
   bool newest = true;
-  for (auto which = order_.rbegin(); which != order_.rend(); ++which) {
-    Place& place = places_[*which];
-    if (!stands(*which, edge)) continue;
+  for (const std::size_t which : std::views::reverse(order_)) {
+    Place& place = places_[which];
+    if (!stands(which, edge)) continue;
     const float more = std::max(0.0F, place.natural - place.title);
     place.folded = !newest && more + (place.folded ? kLeeway * size_ : 0) > spare;
     if (!place.folded) spare -= more;
