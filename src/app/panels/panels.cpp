@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <string>
 
 namespace tyg {
@@ -169,7 +168,7 @@ void Panels::arrange(Edge edge) {
     if (stands(which, edge)) spare -= places_[which].title + between;
   }
   bool newest = true;
-  for (const std::size_t which : std::views::reverse(order_)) {
+  for (const std::size_t which : std::vector(order_.rbegin(), order_.rend())) {
     Place& place = places_[which];
     if (!stands(which, edge)) continue;
     const float more = std::max(0.0F, place.natural - place.title);
