@@ -10,7 +10,8 @@ namespace tyg {
 void Edits::follow(const Viewer& viewer) {
   if (viewer.seeking() || viewer.timeline().past || viewer.keyHeld()) return;  // in the past: it was set then, not now
   originals_.try_emplace(viewer.scene().name, viewer.scene());
-  versions_.note(setupOf(viewer));
+  const Setup& known = versions_.present();  // compared where it is: a frame copies no scene
+  if (known.scene != viewer.scene() || known.pushFactor != viewer.pushFactor()) versions_.note(setupOf(viewer));
 }
 
 const Scene& Edits::original(const Viewer& viewer) const {

@@ -168,9 +168,9 @@ void Panels::arrange(Edge edge) {
     if (stands(which, edge)) spare -= places_[which].title + between;
   }
   bool newest = true;
-  for (const std::size_t which : std::vector(order_.rbegin(), order_.rend())) {
-    Place& place = places_[which];
-    if (!stands(which, edge)) continue;
+  for (std::size_t k = order_.size(); k-- > 0;) {
+    Place& place = places_[order_[k]];
+    if (!stands(order_[k], edge)) continue;
     const float more = std::max(0.0F, place.natural - place.title);
     place.folded = !newest && more + (place.folded ? kLeeway * size_ : 0) > spare;
     if (!place.folded) spare -= more;

@@ -61,15 +61,16 @@ class TracesPanel final : public Panel {
     constexpr std::array kTitles{"x", "y", "z"};
     constexpr double kLeast = 1e-6;  // of the sheet's size
     const double least = kLeast * scope.viewer.simulation().sheet().size();
-    for (std::size_t axis = 0; axis < kTitles.size(); ++axis) {
-      std::vector<RunningCurve> curves;
-      for (std::size_t k = 0; k < kMost; ++k) {
-        if (!particles_.at(k)) continue;
-        curves.push_back({.name = nameOf(*particles_.at(k), scope.viewer),
-                          .channel = 3 * k + axis,
-                          .colour = seriesColour(k, scope.background)});
-      }
-      runningPlot(scope, {kTitles.at(axis), "m", kHeight * scope.size, least}, series_, curves);
+    std::vector<RunningCurve> curves;
+    for (std::size_t k = 0; k < kMost; ++k) {
+      if (!particles_.at(k)) continue;
+      curves.push_back({.name = nameOf(*particles_.at(k), scope.viewer),
+                        .channel = 3 * k,
+                        .colour = seriesColour(k, scope.background)});
+    }
+    for (const char* title : kTitles) {
+      runningPlot(scope, {title, "m", kHeight * scope.size, least}, series_, curves);
+      for (RunningCurve& curve : curves) ++curve.channel;  // the next axis
     }
     list(scope);
     add(scope.viewer);
