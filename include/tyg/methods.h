@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "tyg/integrator.h"
+#include "tyg/method.h"
 
 namespace tyg {
 

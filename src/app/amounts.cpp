@@ -9,7 +9,7 @@
 #include <span>
 #include <string_view>
 
-#include "tyg/scene.h"
+#include "tyg/input_error.h"
 
 namespace tyg {
 namespace {

@@ -1,15 +1,12 @@
 // The thread and what it hands over.
 #include "app/background_study.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <utility>
 
-#include "app/calibration_clock.h"
 #include "study/work_precision.h"
+#include "util/thread_priority.h"
 
 namespace tyg {
 namespace {
@@ -22,16 +19,8 @@ constexpr int kFewestRepeats = 2;
 /// So many rows of each method come first: down to half the stable limit, where most hold.
 constexpr std::size_t kFirstRungs = 5;
 constexpr double kReferenceShare = 0.1;  // of the whole, about as measured
-constexpr int kLowestPriority = 19;
 
-/// Linux gives each thread its own nice value and takes a thread's number where others take a process's.
-int lowerPriority() {
-  const auto thread = static_cast<id_t>(gettid());
-  setpriority(PRIO_PROCESS, thread, kLowestPriority);
-  return getpriority(PRIO_PROCESS, thread);
-}
-
-StudyPlan planOf(const Scene& scene, const std::vector<const Method*>& methods) {
+StudyPlan planOf(const Scene& scene, const std::vector<const Method*>& methods, const BackgroundStudy::Clock& clock) {
   StudyPlan plan;
   plan.methods = methods;
   plan.precisions = {scene.precision};
@@ -41,8 +30,7 @@ StudyPlan planOf(const Scene& scene, const std::vector<const Method*>& methods) 
   plan.roundsBudget = kRoundsBudget;
   plan.firstRungs = kFirstRungs;
   plan.threads = 1;
-  // What a method costs does not depend on how often others were let before this thread.
-  plan.clock = [] { return calibrationClock(1); };
+  plan.clock = clock;
   return plan;
 }
 
@@ -121,7 +109,7 @@ bool BackgroundStudy::report(const Job& job, double fraction) {
 }
 
 void BackgroundStudy::serve() {
-  niceness_ = lowerPriority();
+  niceness_ = lowerThreadPriority();
   while (true) {
     std::optional<Job> job;
     {
@@ -154,7 +142,7 @@ void BackgroundStudy::study(const Job& job) {
 }
 
 void BackgroundStudy::rowsOf(const Job& job, const std::shared_ptr<const Reference>& reference) {
-  StudyPlan plan = planOf(job.scene, job.methods);
+  StudyPlan plan = planOf(job.scene, job.methods, clock_);
   plan.observer = [&](double fraction) { return report(job, kReferenceShare + (1 - kReferenceShare) * fraction); };
   plan.rowObserver = [&](const WorkRow& row) { tell(job, [&](StudyProgress& told) { addRow(told, row); }); };
   Study study = workPrecision(job.scene, *reference, plan);

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -34,7 +35,11 @@ class BackgroundStudy {
   /// Larger sheets are not studied beside a running window: one of their runs would take many seconds.
   static constexpr int kMostParticles = 64 * 64;
 
-  BackgroundStudy() = default;
+  using Clock = std::function<double()>;  ///< s, from any start
+
+  /// What a method costs is measured by this clock on the study's own thread: it should count what that thread has
+  /// computed, so that other programs do not matter.
+  explicit BackgroundStudy(Clock clock) : clock_(std::move(clock)) {}
   /// Stops, and waits for the thread's next look at the stop sign: some steps of one run.
   ~BackgroundStudy();
   BackgroundStudy(const BackgroundStudy&) = delete;
@@ -68,6 +73,7 @@ class BackgroundStudy {
   template <class Change>
   void tell(const Job& job, const Change& change);
 
+  Clock clock_;
   std::atomic<std::uint64_t> wanted_{0};  ///< number of the job to be done; others stop when they see it
   std::atomic<double> fraction_{0};
   std::atomic<int> niceness_{0};

@@ -63,7 +63,7 @@ int renderChosen(const RenderOptions& options) {
   request.fps = options.fps.value_or(request.fps);
   const auto [width, height] = parsePair(options.size);
   request.size = {width, height};
-  request.out = options.out.value_or(fileStem(scene) + (request.times.size() > 1 ? "" : ".png"));
+  request.out = options.out.value_or(fileStem(scene.name) + (request.times.size() > 1 ? "" : ".png"));
   request.draw.background = options.light ? Background::Light : Background::Dark;
   request.threads = options.scene.threads.value_or(0);
   return render(scene, request);

@@ -25,7 +25,7 @@ void Edits::apply(const Setup& setup, Viewer& viewer) {
 }
 
 std::filesystem::path saveScene(const Viewer& viewer) {
-  std::filesystem::path path = freeName("", fileStem(viewer.scene()), ".toml");
+  std::filesystem::path path = freeName("", fileStem(viewer.scene().name), ".toml");
   writeWholeFile(path, sceneToToml(viewer.scene()));
   return path;
 }

@@ -6,7 +6,7 @@
 
 namespace tyg {
 
-std::string fileStem(const Scene& scene) { return std::filesystem::path(scene.name).stem().string(); }
+std::string fileStem(const std::string& sceneName) { return std::filesystem::path(sceneName).stem().string(); }
 
 std::string endingOf(const std::filesystem::path& path) {
   std::string ending = path.extension().string();

@@ -5,12 +5,10 @@
 #include <filesystem>
 #include <string>
 
-#include "tyg/scene.h"
-
 namespace tyg {
 
-/// A name for results in the current folder: the scene's, without folder and .toml.
-std::string fileStem(const Scene& scene);
+/// A name for results in the current folder: that of the scene without its folder and without .toml.
+std::string fileStem(const std::string& sceneName);
 /// What follows the last dot, with it, in small letters: `.png` of `A.PNG`.
 std::string endingOf(const std::filesystem::path& path);
 /// STEM.ENDING in this folder, or STEM-2.ENDING and so on: the first of these names that nothing has yet.

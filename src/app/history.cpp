@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/run_report.h"
 #include "tyg/methods.h"
 
 namespace tyg {

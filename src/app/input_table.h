@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/window.h"
+#include "app/input_event.h"
 
 namespace tyg {
 

@@ -17,7 +17,7 @@
 
 #include "app/file_names.h"
 #include "core/whole_file.h"
-#include "tyg/scene.h"
+#include "tyg/input_error.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves declaring it to the program
 

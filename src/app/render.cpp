@@ -18,6 +18,7 @@
 #include "core/whole_file.h"
 #include "gfx/offscreen.h"
 #include "study/stability.h"
+#include "study/telling_moment.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"
 
@@ -208,11 +209,6 @@ int renderSequence(const Scene& scene, const RenderRequest& request) {
 
 }  // namespace
 
-double tellingMoment(const Scene& scene) {
-  if (!scene.pushes.empty()) return std::min(scene.pushes[0].at + scene.pushes[0].duration, scene.duration);
-  return std::min(0.45, scene.duration);
-}
-
 std::vector<double> frameTimes(double from, double to, double fps) {
   std::vector<double> times;
   // Each from its number, so that rounding does not add up; the slack keeps a last frame that falls on the end.
@@ -237,13 +233,13 @@ int render(const Scene& scene, const RenderRequest& request) {
 int renderInstead(const Scene& scene, const RenderRequest& like) {
   RenderRequest picture = like;
   picture.times = {tellingMoment(scene)};
-  picture.out = freeName("", fileStem(scene), ".png");
+  picture.out = freeName("", fileStem(scene.name), ".png");
   const int code = render(scene, picture);
   constexpr double kLongest = 60;  // s of movie
   RenderRequest movie = like;
   movie.times = frameTimes(0, std::min(scene.duration, kLongest), movie.fps);
   if (code != kDone || movie.times.size() < 2 || !haveFfmpeg()) return code;
-  movie.out = freeName("", fileStem(scene), ".mp4");
+  movie.out = freeName("", fileStem(scene.name), ".mp4");
   return render(scene, movie);
 }
 

@@ -20,8 +20,6 @@ struct RenderRequest {
   int threads = 0;  ///< as Settings::threads
 };
 
-/// The moment that shows most of a scene in one picture, s: the end of its first push, else some way into the run.
-double tellingMoment(const Scene& scene);
 /// Frames of `fps` per second from `from` to `to`, both included (s).
 std::vector<double> frameTimes(double from, double to, double fps);
 

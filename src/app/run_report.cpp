@@ -119,10 +119,6 @@ std::string roundingAdvice(double limit) {
 
 }  // namespace
 
-std::string hashText(const Simulation& simulation) {
-  return formatted("%016llx", static_cast<unsigned long long>(simulation.hash()));
-}
-
 std::string runJson(const FinishedRun& run) {
   const Simulation& simulation = run.simulation;
   const Scene& scene = simulation.scene();

@@ -17,8 +17,6 @@ struct FinishedRun {
   double stableStep = 0;     ///< rest-lattice limit, s; NaN where there is none
 };
 
-/// The state's hash as 16 hexadecimal digits.
-std::string hashText(const Simulation& simulation);
 /// One JSON object; its keys and their order are what scripts rely on.
 std::string runJson(const FinishedRun& run);
 /// A few lines with units.

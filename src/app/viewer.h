@@ -12,14 +12,14 @@
 
 #include "app/cure.h"
 #include "app/history.h"
+#include "app/input_event.h"
 #include "app/input_table.h"
 #include "app/margin.h"
 #include "app/scene_change.h"
 #include "app/view_log.h"
-#include "app/window.h"
-#include "gfx/sheet_renderer.h"
 #include "tyg/simulation.h"
 #include "view/camera.h"
+#include "view/draw_options.h"
 #include "view/frame_clock.h"
 
 namespace tyg {

@@ -3,6 +3,7 @@
 #include "tyg/simulation.h"
 
 #include "core/simulation_body.h"
+#include "core/text.h"
 
 namespace tyg {
 
@@ -84,6 +85,10 @@ Snapshot Simulation::save() const {
 
 void Simulation::restore(const Snapshot& snapshot) {
   body_->restore(*static_cast<const Body::Saved*>(snapshot.body_.get()));
+}
+
+std::string hashText(const Simulation& simulation) {
+  return formatted("%016llx", static_cast<unsigned long long>(simulation.hash()));
 }
 
 }  // namespace tyg

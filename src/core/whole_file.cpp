@@ -12,7 +12,7 @@
 
 #include <unistd.h>
 
-#include "tyg/scene.h"
+#include "tyg/input_error.h"
 
 namespace tyg {
 namespace {

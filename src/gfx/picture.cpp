@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "core/whole_file.h"
-#include "tyg/scene.h"
+#include "tyg/input_error.h"
 
 #define STB_IMAGE_WRITE_STATIC
 #define STB_IMAGE_WRITE_IMPLEMENTATION

@@ -1,5 +1,6 @@
 // The study beside a running window: its rows, its stop sign, and that it takes nothing from the cloth but time.
 #include "app/background_study.h"
+#include "app/calibration_clock.h"
 
 #include <gtest/gtest.h>
 
@@ -36,13 +37,13 @@ bool hasRows(const StudyProgress& told) { return !told.rows.empty(); }
 std::vector<const Method*> twoMethods() { return {&findMethod("leapfrog"), &findMethod("rk4")}; }
 
 TEST(BackgroundStudy, IsIdleUntilItIsStarted) {
-  BackgroundStudy study;
+  BackgroundStudy study([] { return calibrationClock(1); });
   EXPECT_EQ(study.look().stage, Stage::Idle);
   EXPECT_FALSE(study.running());
 }
 
 TEST(BackgroundStudy, GivesRowsOfItsMethodsInTheirOrder) {
-  BackgroundStudy study;
+  BackgroundStudy study([] { return calibrationClock(1); });
   study.start(smallScene(), twoMethods());
   EXPECT_TRUE(study.running());
   ASSERT_TRUE(awaited(study, isDone));
@@ -56,7 +57,7 @@ TEST(BackgroundStudy, GivesRowsOfItsMethodsInTheirOrder) {
 }
 
 TEST(BackgroundStudy, HandsRowsOverBeforeItIsDone) {
-  BackgroundStudy study;
+  BackgroundStudy study([] { return calibrationClock(1); });
   Scene scene = smallScene();
   scene.duration = 1;  // a second of work or more in all: the first row is seen long before the last
   std::vector<const Method*> all;
@@ -67,7 +68,7 @@ TEST(BackgroundStudy, HandsRowsOverBeforeItIsDone) {
 }
 
 TEST(BackgroundStudy, HasTheCoarseRowsOfAllMethodsBeforeItGoesFarDownOne) {
-  BackgroundStudy study;
+  BackgroundStudy study([] { return calibrationClock(1); });
   study.start(smallScene(), twoMethods());
   const auto inOrder = [](const WorkRow& row) { return std::pair(row.integrator, -row.dt); };
   ASSERT_TRUE(awaited(study, [&](const StudyProgress& told) {
@@ -80,7 +81,7 @@ TEST(BackgroundStudy, HasTheCoarseRowsOfAllMethodsBeforeItGoesFarDownOne) {
 }
 
 TEST(BackgroundStudy, FromItsStopOnNothingIsTold) {
-  BackgroundStudy study;
+  BackgroundStudy study([] { return calibrationClock(1); });
   study.start(smallScene(), twoMethods());
   ASSERT_TRUE(awaited(study, hasRows));
   study.stop();
@@ -92,7 +93,7 @@ TEST(BackgroundStudy, FromItsStopOnNothingIsTold) {
 }
 
 TEST(BackgroundStudy, TheLastOfManyStartsIsTheOneThatIsStudied) {
-  BackgroundStudy study;
+  BackgroundStudy study([] { return calibrationClock(1); });
   Scene scene = smallScene();
   for (int turn = 1; turn <= 10; ++turn) {
     scene.particleMass = 0.1 + 0.01 * turn;
@@ -104,7 +105,7 @@ TEST(BackgroundStudy, TheLastOfManyStartsIsTheOneThatIsStudied) {
 }
 
 TEST(BackgroundStudy, SaysWhyThereAreNoRows) {
-  BackgroundStudy study;
+  BackgroundStudy study([] { return calibrationClock(1); });
   Scene scene = smallScene();
   scene.columns = scene.rows = 100;
   study.start(scene, twoMethods());
@@ -113,7 +114,7 @@ TEST(BackgroundStudy, SaysWhyThereAreNoRows) {
 }
 
 TEST(BackgroundStudy, WorksAtTheLowestPriority) {
-  BackgroundStudy study;
+  BackgroundStudy study([] { return calibrationClock(1); });
   study.start(smallScene(), twoMethods());
   ASSERT_TRUE(awaited(study, hasRows));
   EXPECT_EQ(study.niceness(), 19);
@@ -124,7 +125,7 @@ TEST(BackgroundStudy, TheClothMovesToTheSameBitsBesideIt) {
   const Method& method = findMethod("rk4");
   Simulation alone(scene, method, {.threads = 1}), beside(scene, method, {.threads = 1});
   for (int tick = 0; tick < 200; ++tick) alone.tick();
-  BackgroundStudy study;
+  BackgroundStudy study([] { return calibrationClock(1); });
   study.start(scene, twoMethods());
   ASSERT_TRUE(awaited(study, hasRows));
   for (int tick = 0; tick < 200; ++tick) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/background_study.h"
+#include "app/calibration_clock.h"
 #include "app/panels/chart_plot.h"
 #include "app/panels/paragraph.h"
 #include "app/viewer.h"
@@ -133,7 +134,7 @@ class LiveChart final : public Panel {
     viewer.use(wanted);
   }
 
-  BackgroundStudy study_;
+  BackgroundStudy study_{[] { return calibrationClock(1); }};
   std::optional<Scene> studied_;
   ChartPlot plot_;
   std::pair<std::size_t, long> shown_;

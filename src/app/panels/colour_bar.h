@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/panels/panel.h"
-#include "gfx/colour_ramp.h"
+#include "view/colour_ramp.h"
 
 namespace tyg {
 

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <exception>
 
-#include "app/render.h"
+#include "gfx/sheet_renderer.h"
+#include "study/telling_moment.h"
 #include "tyg/methods.h"
 #include "view/box.h"
 #include "view/camera.h"

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "gfx/picture_texture.h"
-#include "gfx/sheet_renderer.h"
 #include "tyg/simulation.h"
+#include "view/draw_options.h"
 
 namespace tyg {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "gfx/sheet_renderer.h"
+#include "view/draw_options.h"
 
 namespace tyg {
 

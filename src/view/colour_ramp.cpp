@@ -1,5 +1,5 @@
 // The colours of the scales; Growing follows the order of hues of viridis (van der Walt and Smith 2015).
-#include "gfx/colour_ramp.h"
+#include "view/colour_ramp.h"
 
 namespace tyg {
 namespace {
