@@ -15,4 +15,9 @@ std::span<const std::string_view> methodNames();
 /// The method of that name. Throws InputError that lists the names; `key` is what asked for it.
 const Method& findMethod(std::string_view name, std::string_view key = "integrator");
 
+/// Some methods refuse some scenes: throws InputError that says why.
+void refuseUnfit(const Method& method, const Scene& scene);
+/// Whether the method takes the scene.
+bool takes(const Method& method, const Scene& scene);
+
 }  // namespace tyg

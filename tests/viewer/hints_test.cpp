@@ -1,0 +1,65 @@
+// Hints: in order, once, and away for good.
+#include "viewer/hints.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace tyg {
+namespace {
+
+class HintsTest : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::remove_all(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  const std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) /
+      (std::string("tyg_hints_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  const std::filesystem::path file_ = folder_ / "state" / "hints";
+};
+
+TEST_F(HintsTest, TheFirstHintIsToPokeAndFollowingItBringsTheNext) {
+  Hints hints(file_);
+  const std::string first(hints.show(0));
+  EXPECT_NE(first.find("poke"), std::string::npos);
+  hints.did(Hints::Deed::Poke);
+  EXPECT_NE(hints.show(1), first);
+  EXPECT_FALSE(hints.show(1).empty());
+}
+
+TEST_F(HintsTest, AHintThatNobodyFollowsGoesAwayByItself) {
+  Hints hints(file_);
+  const std::string first(hints.show(0));
+  EXPECT_EQ(hints.show(Hints::kSeconds - 1), first);
+  (void)hints.show(Hints::kSeconds + 1);
+  EXPECT_NE(hints.show(Hints::kSeconds + 2), first);
+}
+
+TEST_F(HintsTest, WhatWasSeenDoesNotComeAgainInAnotherRun) {
+  {
+    Hints hints(file_);
+    hints.did(Hints::Deed::Poke), hints.did(Hints::Deed::Chart), hints.did(Hints::Deed::Ghost);
+  }
+  Hints later(file_);
+  EXPECT_TRUE(later.show(0).empty());
+}
+
+TEST_F(HintsTest, WithoutAFileThereAreNone) {
+  Hints hints(std::nullopt);
+  EXPECT_TRUE(hints.show(0).empty());
+  hints.did(Hints::Deed::Ghost);
+}
+
+TEST_F(HintsTest, AFolderThatCannotBeMadeOnlyBringsThemAgain) {
+  std::filesystem::create_directories(folder_);
+  std::ofstream(folder_ / "state") << "a file where a folder should be";
+  Hints hints(file_);
+  hints.did(Hints::Deed::Poke);
+  EXPECT_FALSE(hints.show(0).empty());
+  EXPECT_NE(Hints(file_).show(0).find("poke"), std::string_view::npos);
+}
+
+}  // namespace
+}  // namespace tyg
