@@ -144,6 +144,9 @@ def missing_paths(pages, _, exists):
             for path in re.findall(rf"(?:^|\s){rooms}(?=$|[\s,:;])", line):
                 if not exists(path):
                     yield f"{page}: there is no {path}"
+            for header in re.findall(r"tyg/\w+\.h\b", line):
+                if not exists(f"include/{header}"):
+                    yield f"{page}: there is no include/{header}"
             found = re.match(r"build/\w+/tests/(\w+)", line)
             if found and not any(exists(f"tests/{folder}{found[1]}.cpp") for folder in ("", "benchmarks/")):
                 yield f"{page}: nothing builds {found[0]}"
@@ -275,6 +278,7 @@ PLANTED = (
     ("README.md", "docs/pictures/front.png", "docs/pictures/window.png", "front.png: no page shows it"),
     ("README.md", "## Commands", "`src/cellar/`\n\n## Commands", "there is no src/cellar/"),
     ("README.md", "## Commands", "    build/release/tests/nothing\n\n## Commands", "nothing builds"),
+    ("docs/embedding.md", "tyg/sheet.h", "tyg/cellar.h", "there is no include/tyg/cellar.h"),
     ("README.md", "work/ limits/", "work/ attic/", "there is no src/study/attic/"),
     ("docs/methods.md", "# Methods\n", "# Methods\n\n`tyg dance`\n", "dance is no command"),
     ("docs/methods.md", "# Methods\n", "# Methods\n\n`tyg run carpet`\n", "carpet is no scene"),
