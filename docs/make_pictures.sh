@@ -44,7 +44,7 @@ leave() {
 cd "$work"
 open_window curtain
 picture start
-xdotool mousemove 640 380
+xdotool mousemove 700 320
 press space
 until_true "it swings" later_than 0.55
 xdotool mousedown 1
@@ -53,9 +53,9 @@ until_true "it is pushed" pushed_and_later 0.62
 press space
 until_true "it pauses" in_state paused
 xdotool mouseup 1
-click 640 380 # what is pushed while time is paused stays marked
+click 730 290 # what is pushed while time is paused stays marked
+point 640 20
 picture window
-xdotool mousemove 640 20
 press space
 hold bracketright "the step comes close to its limit" step_past 0.0039
 press space
@@ -75,15 +75,15 @@ leave
 
 open_window curtain --integrator report-rk4
 press h
-press g
 press space
 until_true "it swings" later_than 0.5
 xdotool mousemove 480 250 mousedown 1
-until_true "it is pushed" pushed_and_later 0.7
+until_true "it is pushed" pushed_and_later 0.8
 press space
 until_true "it pauses" in_state paused
 xdotool mouseup 1
-few_frames 8
+press g
+few_frames 60 # the ghost catches up from the start
 xdotool mousemove 530 330 click 4 click 4
 point 640 20 # the panel takes its final size
 picture front
