@@ -7,8 +7,8 @@
 #include <fstream>
 #include <string>
 
-#include "app/program.h"
 #include "core/whole_file.h"
+#include "files.h"
 #include "tyg/scene.h"
 
 namespace tyg::test {
