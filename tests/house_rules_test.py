@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The house rules that a machine can hold: every source file opens with a comment that says something, none is longer
-than 450 lines, nothing is left to be done, and the project's words are used. Proves first that it can fail.
+than 450 lines, nothing is left to be done, the project's words are used, and no run has left its files beside the
+sources. Proves first that it can fail.
     tests/house_rules_test.py SOURCE_DIR
 """
 import re
@@ -14,6 +15,7 @@ LONGEST = 450
 UNFINISHED = re.compile(r"(?<![A-Za-z0-9])(TODO|FIXME|XXX|HACK)(?![A-Za-z0-9])")
 # A particle is a particle everywhere; `vertex` belongs to OpenGL.
 FOREIGN = re.compile(r"\b(nodes?|solvers?)\b", re.IGNORECASE)
+WRITTEN_BY_RUNS = {".csv", ".png", ".toml", ".mp4", ".svg", ".gp"}
 SAYS_NOTHING = re.compile(r"See \S+\.h\.?")
 
 
@@ -55,6 +57,9 @@ def breaches(root):
     found = [] if files else [f"{root}: no source file"]
     for file in files:
         found += breaches_of(file.relative_to(root).as_posix(), file.read_text(encoding="utf-8").splitlines())
+    for file in sorted(root.iterdir()):
+        if file.suffix in WRITTEN_BY_RUNS:
+            found.append(f"{file.name}: written by a run, and no part of the sources")
     return found
 
 
@@ -87,6 +92,8 @@ def prove_that_it_can_fail():
         ]:
             if found_in(right):
                 sys.exit(f"wrongly refused: {found_in(right)}")
+        Path(folder, "tyg-curtain-1.csv").touch()
+        must_find("written by a run", "// What for.\n")
 
 
 prove_that_it_can_fail()
