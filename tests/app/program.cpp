@@ -26,10 +26,11 @@ std::string jsonValue(const std::string& json, const std::string& path) {
 std::vector<std::string> jsonKeys(const std::string& json) {
   using Event = nlohmann::json::parse_event_t;
   std::vector<std::string> keys;
-  (void)nlohmann::json::parse(json, [&](int /*depth*/, Event event, const nlohmann::json& parsed) {
-    if (event == Event::key) keys.push_back(parsed);
-    return true;
-  });
+  [[maybe_unused]] const auto all =
+      nlohmann::json::parse(json, [&](int /*depth*/, Event event, const nlohmann::json& parsed) {
+        if (event == Event::key) keys.push_back(parsed);
+        return true;
+      });
   return keys;
 }
 
