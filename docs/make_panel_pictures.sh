@@ -42,7 +42,6 @@ run_a_while() {
   until_true "it pauses" in_state paused
 }
 
-cd "$work"
 open_window curtain
 for panel in control:k gallery:o ghost:g stretch:t energy:equal traces:slash; do # name:key
   press "${panel#*:}"

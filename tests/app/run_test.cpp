@@ -1,4 +1,5 @@
 // `tyg run`: what it reports, what it writes, and how it fails.
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -38,36 +39,20 @@ const std::vector<std::string> kKeys{"scene",
                                      "hash",
                                      "status"};
 
-std::vector<std::string> keysOf(const std::string& json) {
-  std::vector<std::string> keys;
-  const std::regex key("\"([A-Za-z_]+)\": ");
-  for (std::sregex_iterator it(json.begin(), json.end(), key); it != std::sregex_iterator(); ++it) {
-    keys.push_back((*it)[1]);
-  }
-  return keys;
-}
-
-/// Does the text have the form of one flat JSON object?
-bool isFlatJson(const std::string& text) {
-  const std::string number = R"(-?(0|[1-9]\d*)(\.\d+)?([eE][+-]?\d+)?)", string = R"("([^"\\\x00-\x1f]|\\.)*")";
-  const std::string member = "\\s*" + string + ":\\s*(" + number + "|" + string + "|null)\\s*";
-  return std::regex_match(text, std::regex("\\{" + member + "(," + member + ")*\\}\\s*"));
-}
-
 std::string json(const std::string& arguments) { return tyg("run " + arguments + " --json").out; }
 
 TEST(Run, JsonIsOneObjectWithTheAgreedKeysInOrder) {
   const Outcome outcome = tyg("run curtain --duration 0.1 --json");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_TRUE(isFlatJson(outcome.out)) << outcome.out;
-  EXPECT_EQ(keysOf(outcome.out), kKeys);
+  EXPECT_EQ(jsonKeys(outcome.out), kKeys);
 }
 
 TEST(Run, JsonComesAfterAFailureToo) {
   const Outcome outcome = tyg("run curtain --dt 0.01 --json");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_TRUE(isFlatJson(outcome.out)) << outcome.out;
-  EXPECT_EQ(keysOf(outcome.out), kKeys);
+  EXPECT_EQ(jsonKeys(outcome.out), kKeys);
   EXPECT_NE(jsonValue(outcome.out, "status"), "\"ok\"");
 }
 

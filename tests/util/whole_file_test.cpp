@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "app/program.h"
+#include "files.h"
 #include "tyg/scene.h"
 #include "util/whole_file.h"
 

@@ -3,20 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <string>
+
+#include "files.h"
 
 namespace tyg {
 namespace {
 
 class HintsTest : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::remove_all(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  const std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) /
-      (std::string("tyg_hints_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  const Folder folder_;
   const std::filesystem::path file_ = folder_ / "state" / "hints";
 };
 
@@ -53,8 +49,7 @@ TEST_F(HintsTest, WithoutAFileThereAreNone) {
 }
 
 TEST_F(HintsTest, AFolderThatCannotBeMadeOnlyBringsThemAgain) {
-  std::filesystem::create_directories(folder_);
-  std::ofstream(folder_ / "state") << "a file where a folder should be";
+  folder_.write("state", "a file where a folder should be");
   Hints hints(file_);
   hints.did(Hints::Deed::Poke);
   EXPECT_FALSE(hints.show(0).empty());

@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "files.h"
 #include "tyg/methods.h"
 #include "util/file_names.h"
 
@@ -126,15 +127,12 @@ TEST(Edits, WhatThePastWasSetToIsNoChange) {
 }
 
 TEST(FreeName, TakesNoOtherFilesPlace) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "tyg_free_name";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directory(folder);
-  EXPECT_EQ(freeName(folder, "a", ".toml"), folder / "a.toml");
-  std::ofstream(folder / "a.toml") << "x";
-  EXPECT_EQ(freeName(folder, "a", ".toml"), folder / "a-2.toml");
-  std::ofstream(folder / "a-2.toml") << "x";
-  EXPECT_EQ(freeName(folder, "a", ".toml"), folder / "a-3.toml");
-  std::filesystem::remove_all(folder);
+  const Folder folder;
+  EXPECT_EQ(freeName(folder.path(), "a", ".toml"), folder / "a.toml");
+  folder.write("a.toml", "x");
+  EXPECT_EQ(freeName(folder.path(), "a", ".toml"), folder / "a-2.toml");
+  folder.write("a-2.toml", "x");
+  EXPECT_EQ(freeName(folder.path(), "a", ".toml"), folder / "a-3.toml");
 }
 
 }  // namespace
