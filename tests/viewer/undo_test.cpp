@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "files.h"
 #include "tyg/methods.h"
 #include "util/file_names.h"
