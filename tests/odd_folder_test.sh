@@ -7,8 +7,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 copy="$work/my tyg å"
 mkdir "$copy"
-cd "$1"
-cp -r .ci CMakeLists.txt CMakePresets.json cmake include run.sh shaders src test.sh tests "$copy"
+tar -C "$1" --exclude=./build --exclude=./.git -c . | tar -C "$copy" -x
 cd "$copy"
 
 fail() { echo "$*" && exit 1; }
