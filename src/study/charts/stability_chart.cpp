@@ -9,6 +9,7 @@
 
 #include "study/charts/chart_pen.h"
 #include "study/charts/gnuplot.h"
+#include "study/limits/stability_region.h"
 
 namespace tyg {
 namespace {

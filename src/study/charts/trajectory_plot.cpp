@@ -8,7 +8,7 @@
 #include <set>
 
 #include "study/charts/trajectory_distance.h"
-#include "util/text.h"
+#include "util/csv.h"
 
 namespace tyg {
 namespace {
@@ -136,19 +136,14 @@ TrajectoryStudy followParticles(const Scene& scene, std::vector<ChartedParticle>
 }
 
 std::string trajectoryCsv(const TrajectoryStudy& study) {
-  std::string csv = "integrator,particle,t,x,y,z,distance,status\n";
+  std::string csv = csvLine("integrator", "particle", "t", "x", "y", "z", "distance", "status");
   for (std::size_t k = 0; k < study.runs.size(); ++k) {
     const Trajectory& run = study.runs[k];
-    const std::string status(nameOf(run.status));
     for (std::size_t p = 0; p < study.particles.size(); ++p) {
-      const std::string names = std::string(run.method->name) + "," + study.particles[p].label;
       for (std::size_t i = 0; i < run.times.size(); ++i) {
-        csv += names;
         const Vec3 at = run.ways[p][i];
-        for (const double number : {run.times[i], at.x, at.y, at.z, distanceFromFinest(study, k, p, i)}) {
-          csv += "," + shortNumber(number);
-        }
-        csv += "," + status + "\n";
+        csv += csvLine(run.method->name, study.particles[p].label, run.times[i], at.x, at.y, at.z,
+                       distanceFromFinest(study, k, p, i), nameOf(run.status));
       }
     }
   }

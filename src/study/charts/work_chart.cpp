@@ -11,7 +11,7 @@
 #include "study/charts/gnuplot.h"
 #include "study/charts/method_look.h"
 #include "study/charts/work_chart_axes.h"
-#include "study/motion/past_horizon.h"
+#include "study/work/past_horizon.h"
 
 namespace tyg {
 namespace {

@@ -6,8 +6,7 @@
 #include "integrators/chebyshev.h"
 #include "study/limits/measured_limit.h"
 #include "study/limits/stability_study.h"
-#include "study/work/work_rows.h"
-#include "util/text.h"
+#include "util/csv.h"
 
 namespace tyg {
 namespace {
@@ -134,10 +133,11 @@ std::vector<std::string> notesOn(const StabilityStudy& study) {
 }  // namespace
 
 std::string stabilityCsv(const StabilityStudy& study) {
-  std::string csv = "scene,integrator,damping,predicted_dt,certified_dt,measured_dt,first_mode\n";
+  std::string csv =
+      csvLine("scene", "integrator", "damping", "predicted_dt", "certified_dt", "measured_dt", "first_mode");
   const auto add = [&](const std::string& scene, const StabilityCase& entry, double measured) {
-    csv += csvField(scene) + "," + name(entry) + "," + dampingOf(entry) + "," + field(entry.limit.predicted) + "," +
-           field(entry.limit.certified) + "," + field(measured) + "," + firstMode(study, entry) + "\n";
+    csv += csvLine(scene, entry.method->name, dampingOf(entry), field(entry.limit.predicted),
+                   field(entry.limit.certified), field(measured), firstMode(study, entry));
   };
   for (const StabilityCase& entry : study.cases) {
     add(study.scene.name + " at rest", entry, entry.atRest);
