@@ -61,7 +61,7 @@ void SettingSearch::gatherCandidates() {
       candidate.priceStep(unit * std::max(method->evaluationsPerStep, 1));
       const double seconds = candidate.expectedAt(candidate.loosest());
       if (cheapest == 0 || seconds < cheapest) cheapest = seconds;
-      if (plan_.observer && !plan_.observer()) {
+      if (plan_.observer && !plan_.observer(runs_)) {
         stopped_ = true;
         return;
       }
@@ -80,7 +80,7 @@ void SettingSearch::tryOut(SettingCandidate& candidate, double knob, double most
   const Method& method = candidate.method();
   const double unit = plan_.cost(scene, plan_.threads);
   const auto observer = [&](double) {
-    stopped_ = stopped_ || (plan_.observer && !plan_.observer());
+    stopped_ = stopped_ || (plan_.observer && !plan_.observer(runs_));
     return !stopped_;
   };
   constexpr double kSlack = 1.05;  // evaluations at starts and jumps of the force are not part of the guess

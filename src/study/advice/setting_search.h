@@ -19,8 +19,8 @@ struct SearchPlan {
   /// No run that costs more is made: at least real time, and four times what the cheapest run costs.
   double mostSeconds = 1.5;
   double allSeconds = 4;  ///< of all runs of one search: at least three of the dearest run's
-  /// Called now and then; false stops.
-  std::function<bool()> observer;
+  /// Gets the number of runs made now and then; false stops.
+  std::function<bool(int runs)> observer;
 };
 
 /// Runs are kept: a second search starts from what the first one learnt.
