@@ -1,4 +1,5 @@
-// See wave_search.h.
+// A coarse grid over all waves finds the valleys of the function, and a descent from the deepest of them the lowest
+// point.
 #include "study/limits/wave_search.h"
 
 #include <algorithm>

@@ -1,8 +1,9 @@
 // Bursts of steps, and what is made of their times.
 #include "study/work/cost.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <sstream>
 #include <utility>
 
 #include "tyg/methods.h"
@@ -70,16 +71,15 @@ class Bursts {
 /// Whatever a unit's cost depends on. The step counts only for methods whose solve depends on it.
 std::string keyOf(const Scene& scene, int threads) {
   const Method& method = findMethod(scene.integrator);
-  std::ostringstream key;
-  key << scene.integrator << (scene.precision == Precision::Float ? " float " : " double ") << scene.columns << "x"
-      << scene.rows << " " << threads << (scene.damping == Damping::Axial ? " axial" : "")
-      << (scene.drag > 0 ? " drag" : "");
+  std::string key =
+      fmt::format("{} {} {}x{} {}{}{}", scene.integrator, nameOf(scene.precision), scene.columns, scene.rows, threads,
+                  scene.damping == Damping::Axial ? " axial" : "", scene.drag > 0 ? " drag" : "");
   for (const SpringFamily& family : {scene.structural, scene.shear, scene.bend}) {
-    key << " " << (family.ks > 0) << (family.kd > 0);
+    key += fmt::format(" {:d}{:d}", family.ks > 0, family.kd > 0);
   }
   // A Chebyshev method's stages follow its step too: long chains of them share what a step costs besides.
-  if (workVaries(method) || method.stableStepOfScene != nullptr) key << " " << scene.dt;
-  return key.str();
+  if (workVaries(method) || method.stableStepOfScene != nullptr) key += fmt::format(" {:g}", scene.dt);
+  return key;
 }
 
 }  // namespace
