@@ -1,5 +1,5 @@
 // Following particles: which, at what times, and what the rows say.
-#include "study/charts/trajectory_plot.h"
+#include "study/motion/trajectories.h"
 
 #include <gtest/gtest.h>
 

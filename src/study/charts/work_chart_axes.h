@@ -20,10 +20,10 @@ struct ChartCanvas {
 
 struct LogAxis {
   double low = 1e-3, high = 1;
-  /// Where a value stands between the ends: 0 at low, 1 at high.
-  [[nodiscard]] double place(double value) const;
-  /// The value at such a place.
-  [[nodiscard]] double at(double place) const;
+  /// How far on the way from low to high a value is: 0 at low, 1 at high.
+  [[nodiscard]] double fractionAt(double value) const;
+  /// The value that far on the way.
+  [[nodiscard]] double at(double fraction) const;
 };
 
 /// One of the panels: its edges in pixels, what its axes show.

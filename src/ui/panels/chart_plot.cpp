@@ -110,9 +110,11 @@ struct ChartPlot::Pen {
 
   [[nodiscard]] float small() const { return kSmall * scope.size; }
   [[nodiscard]] float strip() const { return kStrip * scope.size; }
-  [[nodiscard]] float x(double milliseconds) const { return left + float(cost.place(milliseconds)) * (right - left); }
+  [[nodiscard]] float x(double milliseconds) const {
+    return left + float(cost.fractionAt(milliseconds)) * (right - left);
+  }
   [[nodiscard]] float y(double millimetres) const {
-    return bottom - float(error.place(millimetres)) * (bottom - top - strip());
+    return bottom - float(error.fractionAt(millimetres)) * (bottom - top - strip());
   }
   /// Where a row stands; a failed one in the strip.
   [[nodiscard]] ImVec2 at(const WorkRow& row) const {

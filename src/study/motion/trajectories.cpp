@@ -1,5 +1,5 @@
-// Following particles, and the rows that come of it. The chart itself is in trajectory_script.cpp.
-#include "study/charts/trajectory_plot.h"
+// One run a method, stopped at the sample times; the rows then say how far each is from the finest of them.
+#include "study/motion/trajectories.h"
 
 #include <algorithm>
 #include <charconv>
@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <set>
 
-#include "study/charts/trajectory_distance.h"
 #include "util/csv.h"
 
 namespace tyg {
