@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "study/charts/trajectory_chart.h"
 #include "tyg/methods.h"
 
 namespace tyg {
