@@ -18,11 +18,12 @@ namespace {
 
 // Shares of the whole work.
 constexpr double kStudyShare = 0.4, kReferenceShare = 0.5, kProofShare = 0.05;
-/// The quick study knows the truth and the machine only so well.
+/// The quick study knows the true motion and the machine's speed only so well: its choice keeps to these fractions of
+/// what was asked.
 constexpr double kErrorMargin = 0.9, kBudgetMargin = 0.95;
-/// An error below so many times the truth's own uncertainty is not told from none.
+/// An error below so many times the uncertainty of the truth cannot be told from no error.
 constexpr double kTold = 3;
-constexpr double kBetter = 0.1;           // as exact as what is said of "ten times better"
+constexpr double kTenTimesBetter = 0.1;           // the fraction of the error that "ten times better" means
 constexpr double kTightestTruth = 1e-13;  // tolerance, of the size: the reference's own
 constexpr double kRoughTruth = 1e-8;      // the same: cheap, and enough where little can be spent
 
@@ -91,7 +92,7 @@ bool isTightest(double tolerance, const Task& task) { return tolerance <= kTight
 /// A truth that tells errors ten times below the one that is asked for.
 Truth truthForError(Task& task) {
   constexpr double kOfTheError = 1e-4, kTighter = 1e-3;
-  const double wanted = kErrorMargin * kBetter * task.plan.request.error;
+  const double wanted = kErrorMargin * kTenTimesBetter * task.plan.request.error;
   double ofSize = std::min(kOfTheError * task.plan.request.error / task.size, kRoughTruth);
   Truth truth = truthWithin(ofSize, task);
   while (!task.progress.stopped() && truth.floor() > wanted && !isTightest(truth.tolerance, task)) {
@@ -128,11 +129,11 @@ Advice withPromise(Advice advice, SettingSearch& search, double floor, const Tas
   return advice;
 }
 
-/// Up to so many times the cost of the choice: dearer ones are of no use to whoever asked.
+/// Settings up to so many times the cost of the choice: what costs more is of no use to the person who asked.
 Advice withTenTimesBetter(Advice advice, SettingSearch& search, double floor, const Task& task) {
   constexpr double kDearest = 100;
   const double asked = task.asksForError() ? task.plan.request.error : advice.promise->error;
-  const double within = kErrorMargin * kBetter * asked;
+  const double within = kErrorMargin * kTenTimesBetter * asked;
   advice.tenTimesBetter.reset();
   advice.tenTimesUpTo = 0;
   if (within < floor) return advice;
@@ -183,7 +184,7 @@ QuickStudy quickStudy(Task& task) {
   // is not.
   while (!task.progress.stopped() && study.advice.met && !isTightest(study.truth.tolerance, task)) {
     constexpr double kSurely = 0.1, kMostTighter = 1e-3;
-    const double wanted = kErrorMargin * kBetter * study.advice.promise->error;
+    const double wanted = kErrorMargin * kTenTimesBetter * study.advice.promise->error;
     if (study.truth.floor() <= wanted) break;
     ofSize *= std::clamp(kSurely * wanted / study.truth.floor(), kMostTighter, kSurely);
     study.truth = truthWithin(ofSize, task);

@@ -18,7 +18,7 @@ struct SearchPlan {
   UnitCost cost;
   /// No run that costs more is made: at least real time, and four times what the cheapest run costs.
   double mostSeconds = 1.5;
-  double allSeconds = 4;  ///< of all runs of one search: at least three of the dearest run's
+  double allSeconds = 4;  ///< of all runs of one search: at least three times what the most expensive run may cost
   /// Gets the number of runs made now and then; false stops.
   std::function<bool(int runs)> observer;
 };
@@ -59,8 +59,8 @@ class SettingSearch {
   [[nodiscard]] std::optional<Trial> bestFor(double seconds) const;
   [[nodiscard]] double allSeconds() const;
   [[nodiscard]] double endOf(std::size_t candidate, const std::vector<SettingCandidate::Next>& next) const;
-  /// One run at a knob, which is cut short where it would cost more than `most` s.
-  void tryOut(SettingCandidate& candidate, double knob, double most);
+  /// One run at a parameter, which is cut short where it would cost more than `most` s.
+  void tryOut(SettingCandidate& candidate, double parameter, double most);
 
   const Scene& scene_;
   const SampledMotion* truth_ = nullptr;

@@ -44,8 +44,8 @@ Range rangeOf(const TrajectoryStudy& study, std::size_t particle, double Vec3::*
   Range range;
   for (const Trajectory& run : study.runs) {
     if (anyHeld && run.status != Status::Ok) continue;
-    const double start = run.ways[particle].front().*coordinate;
-    for (const Vec3& at : run.ways[particle]) {
+    const double start = run.paths[particle].front().*coordinate;
+    for (const Vec3& at : run.paths[particle]) {
       if (anyHeld || std::abs(at.*coordinate - start) <= reach) range.include(at.*coordinate);
     }
   }
@@ -172,7 +172,7 @@ void addCrosses(const TrajectoryStudy& study, std::size_t coordinate, std::size_
   for (std::size_t k = 0; k < study.runs.size(); ++k) {
     const Trajectory& run = study.runs[k];
     if (run.status == Status::Ok) continue;
-    const double last = run.ways[p].back().*kCoordinates.at(coordinate);
+    const double last = run.paths[p].back().*kCoordinates.at(coordinate);
     script.add("  set label '' at first {:.12g},{:.12g} point pt 2 ps 2.5 lw 4 lc '{}' front\n", run.times.back(),
                std::isfinite(last) ? std::clamp(last, shown.low, shown.high) : shown.high, colourOf(k, study));
   }

@@ -1,5 +1,5 @@
-// The gnuplot script of the chart. Curves are drawn from rows.csv; what gnuplot cannot lay out itself (names at the
-// ends of curves, arrows, bands, the legend) is placed here.
+// Curves are drawn from rows.csv; what gnuplot cannot lay out itself (names at the ends of curves, arrows, bands, the
+// legend) gets its position here.
 #include "study/charts/work_chart.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 #include "study/charts/chart_script.h"
 #include "study/charts/gnuplot.h"
-#include "study/charts/method_look.h"
+#include "study/charts/method_style.h"
 #include "study/charts/work_chart_axes.h"
 #include "study/work/past_horizon.h"
 
@@ -30,9 +30,9 @@ struct Style {
 
 Style styleOf(const std::string& method) {
   constexpr std::array kHollow{8, 6, 4, 10, 12, 14};  // in the order of Mark
-  const MethodLook look = lookOfMethod(method);
-  const int hollow = kHollow.at(static_cast<std::size_t>(look.mark));
-  return {chartColour(look.colour), hollow + 1, hollow, look.dashed ? 2 : 1};
+  const MethodStyle style = styleOfMethod(method);
+  const int hollow = kHollow.at(static_cast<std::size_t>(style.mark));
+  return {chartColour(style.colour), hollow + 1, hollow, style.dashed ? 2 : 1};
 }
 
 /// The same colour, with this much of what lies behind it showing through (00 to ff).

@@ -1,4 +1,4 @@
-// Ranges of the axes, from the rows.
+// The axes are as long as the rows need, with some space around them.
 #include "study/charts/work_chart_axes.h"
 
 #include <algorithm>

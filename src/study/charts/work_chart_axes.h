@@ -20,9 +20,9 @@ struct ChartCanvas {
 
 struct LogAxis {
   double low = 1e-3, high = 1;
-  /// How far on the way from low to high a value is: 0 at low, 1 at high.
+  /// How far a value is from low to high, on the logarithmic scale: 0 at low, 1 at high.
   [[nodiscard]] double fractionAt(double value) const;
-  /// The value that far on the way.
+  /// The value at such a fraction.
   [[nodiscard]] double at(double fraction) const;
 };
 
@@ -54,7 +54,7 @@ std::vector<ChartPanel> chartPanels(const WorkChart& chart);
 /// The charted names in the order of the rows, each once.
 std::vector<std::string> chartedMethods(const WorkChart& chart);
 
-/// The way of a method's curve through a panel.
+/// The points of a method's curve in a panel.
 std::vector<Pixel> curveOf(const WorkChart& chart, const ChartPanel& panel, const std::string& method,
                            Precision precision);
 

@@ -15,7 +15,7 @@ namespace tyg {
 namespace {
 
 constexpr double kAloneShare = 0.6;  // of the whole work, about as measured
-/// Costs closer than this are not told apart: no verdict shall hang on a machine's noise.
+/// Costs that differ by less than this fraction count as the same: the machine's noise must not decide.
 constexpr double kSameCost = 0.1;
 
 /// What every row of one diet is measured with.
@@ -33,7 +33,7 @@ DietRow rowOf(const Changed& changed, const Measures& measures) {
   return row;
 }
 
-/// What a run takes at least, known before it: dear methods need not be run to be left out.
+/// What a run takes at least, known before it is made: methods that cost too much need not be run to be left out.
 double leastSeconds(const Scene& scene, const DietPlan& plan) {
   const int perStep = std::max(findMethod(scene.integrator).evaluationsPerStep, 1);
   return scene.duration / scene.dt * perStep * plan.cost(scene, plan.threads);

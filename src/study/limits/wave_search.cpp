@@ -12,7 +12,7 @@
 namespace tyg {
 namespace {
 
-/// Walks downhill from `best` in shrinking strides. In `best.value` the error is of second order in the last stride.
+/// Goes downhill from `best` in strides that shrink. The error of the value is of second order in the last stride.
 LowestWave refined(const WaveFunction& function, LowestWave best, double stride) {
   constexpr double kLastStride = 1e-4;
   const auto inside = [](double q) { return std::clamp(q, 0.0, std::numbers::pi); };

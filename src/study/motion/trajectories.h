@@ -23,13 +23,13 @@ std::vector<ChartedParticle> usualParticles(const Scene& scene);
 /// One particle by its name, or as COLUMN:ROW. Throws InputError.
 ChartedParticle chartedParticle(const Scene& scene, const std::string& name);
 
-/// The way of every charted particle by one method.
+/// The path of every charted particle by one method.
 struct Trajectory {
   const Method* method = nullptr;
   Status status = Status::Ok;
   double failedAt = std::numeric_limits<double>::quiet_NaN();  ///< s; NaN for a run that held
   std::vector<double> times;                                   ///< s
-  std::vector<std::vector<Vec3>> ways;                         ///< m; per particle, one position a time
+  std::vector<std::vector<Vec3>> paths;                        ///< m; per particle, one position a time
 };
 
 struct TrajectoryStudy {

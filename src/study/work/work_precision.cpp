@@ -1,4 +1,5 @@
-// The study: ladders of error runs, then rounds of timing.
+// First every method goes down its ladder, with a run for the error and a first timed run on every rung; then all timed
+// runs are repeated in rounds.
 #include "study/work/work_precision.h"
 
 #include <fmt/core.h>
