@@ -23,7 +23,7 @@ constexpr double kStudyShare = 0.4, kReferenceShare = 0.5, kProofShare = 0.05;
 constexpr double kErrorMargin = 0.9, kBudgetMargin = 0.95;
 /// An error below so many times the uncertainty of the truth cannot be told from no error.
 constexpr double kTold = 3;
-constexpr double kTenTimesBetter = 0.1;           // the fraction of the error that "ten times better" means
+constexpr double kTenTimesBetter = 0.1;   // the fraction of the error that "ten times better" means
 constexpr double kTightestTruth = 1e-13;  // tolerance, of the size: the reference's own
 constexpr double kRoughTruth = 1e-8;      // the same: cheap, and enough where little can be spent
 

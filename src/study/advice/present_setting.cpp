@@ -23,8 +23,8 @@ double between(double x, double x0, double x1, double y0, double y1) {
 }
 
 /// Extrapolates from a row by the method's order. Every fixed step costs the same; the steps of an adaptive method are
-/// taken to follow the (order + 1)-th root of its tolerance. That is a guess: measured exponents are 1/5.9 (dopri54) and
-/// 1/4 to 1/3 (bs32), which is why a search only takes 1/order as their upper bound.
+/// taken to follow the (order + 1)-th root of its tolerance. That is a guess: measured exponents are 1/5.9 (dopri54)
+/// and 1/4 to 1/3 (bs32), which is why a search only takes 1/order as their upper bound.
 SettingEstimate extrapolated(const WorkRow& row, const Method& method, double rung, Kind kind) {
   const double ratio = rung / rungOf(row, method);
   const double errorPower = method.adaptive ? 1 : method.order;

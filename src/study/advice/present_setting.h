@@ -40,7 +40,8 @@ std::vector<const WorkRow*> frontierOf(const std::vector<WorkRow>& rows);
 /// Rows that are better than a setting by enough to be worth a change; null where there is none.
 struct BetterRows {
   const WorkRow* cheaper = nullptr;  ///< of those with no greater error that cost at least a tenth less, the cheapest
-  const WorkRow* closer = nullptr;   ///< of those that cost no more and have at most half the error, the one of least error
+  const WorkRow* closer =
+      nullptr;  ///< of those that cost no more and have at most half the error, the one of least error
 };
 BetterRows betterThan(const std::vector<WorkRow>& rows, const SettingEstimate& estimate);
 

@@ -54,13 +54,14 @@ Scene SettingCandidate::at(double parameter) const {
 }
 
 const SettingCandidate::Run* SettingCandidate::known(double parameter) const {
-  const auto found =
-      std::ranges::find_if(runs_, [&](const Run& run) { return std::abs(run.parameter - parameter) < sameParameter() * parameter; });
+  const auto found = std::ranges::find_if(
+      runs_, [&](const Run& run) { return std::abs(run.parameter - parameter) < sameParameter() * parameter; });
   return found == runs_.end() ? nullptr : &*found;
 }
 
 void SettingCandidate::learn(double parameter, const Trial& trial) {
-  std::erase_if(runs_, [&](const Run& run) { return std::abs(run.parameter - parameter) < sameParameter() * parameter; });
+  std::erase_if(runs_,
+                [&](const Run& run) { return std::abs(run.parameter - parameter) < sameParameter() * parameter; });
   runs_.push_back({parameter, trial});
   std::ranges::sort(runs_, std::greater{}, &Run::parameter);
   // A run that failed early says nothing of what one to the end costs.

@@ -1,5 +1,5 @@
-// One method in one precision: its parameter, which is a step or a tolerance, what its runs have shown so far, and which
-// run is worth making next. Must not know: other candidates, how runs are made, clocks.
+// One method in one precision: its parameter, which is a step or a tolerance, what its runs have shown so far, and
+// which run is worth making next. Must not know: other candidates, how runs are made, clocks.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +35,7 @@ class SettingCandidate {
   [[nodiscard]] Scene at(double parameter) const;
   [[nodiscard]] double loosest() const { return loosest_; }
   [[nodiscard]] const std::vector<Run>& runs() const { return runs_; }  ///< the loosest parameter first
-  [[nodiscard]] const Run* known(double parameter) const;                    ///< null where it was not run
+  [[nodiscard]] const Run* known(double parameter) const;               ///< null where it was not run
 
   /// What a step costs (s), before any run tells. Adaptive methods tell by their runs alone.
   void priceStep(double seconds) { perStep_ = seconds; }
@@ -54,7 +54,7 @@ class SettingCandidate {
 
   /// The run to make next in order to find the loosest parameter whose error is within `error` (m).
   struct Next {
-    double parameter = 0;                                           ///< 0: none, another run would tell nothing new
+    double parameter = 0;                                      ///< 0: none, another run would tell nothing new
     double seconds = std::numeric_limits<double>::infinity();  ///< that it will cost, about
     /// s that a run within the error will cost in the end, extrapolated from what is known; 0 where nothing is.
     double inTheEnd = 0;

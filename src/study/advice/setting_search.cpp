@@ -156,7 +156,8 @@ std::optional<Trial> SettingSearch::mostExactWithin(double seconds, double floor
     const auto promised = [&](std::size_t k) {
       const SettingCandidate& candidate = candidates_[k];
       const double parameter = candidate.payable(most);
-      const bool open = tries[k] < kMostTries && candidate.known(parameter) == nullptr && candidate.expectedAt(parameter) <= most;
+      const bool open =
+          tries[k] < kMostTries && candidate.known(parameter) == nullptr && candidate.expectedAt(parameter) <= most;
       return open ? candidate.errorAt(parameter) : kInfinity;
     };
     const std::size_t k = leastOf(candidates_, promised, expected);

@@ -18,6 +18,44 @@ constexpr double kAloneShare = 0.6;  // of the whole work, about as measured
 /// Costs that differ by less than this fraction count as the same: the machine's noise must not decide.
 constexpr double kSameCost = 0.1;
 
+double sagOf(const std::vector<Vec3>& positions) {
+  const auto [lowest, highest] = std::ranges::minmax(positions, {}, &Vec3::y);
+  return highest.y - lowest.y;
+}
+
+/// Runs one scene and measures it as a row against the full model's reference; `judgedUpTo` as in Diet. A sheet of
+/// another grid is compared at the positions of the reference's particles.
+DietRow dietRow(const Changed& changed, const Reference& reference, double judgedUpTo, const DietPlan& plan) {
+  DietRow row;
+  row.words = changed.words;
+  row.scene = changed.scene;
+  const Method& method = findMethod(changed.scene.integrator);
+  const std::vector<double>& times = reference.motion.times;
+  const SampledMotion motion =
+      sampledRun(changed.scene, method, times, {.threads = plan.threads, .observer = plan.observer});
+  row.work = workOf(method, motion);
+  row.seconds = static_cast<double>(row.work) * plan.cost(changed.scene, plan.threads);
+  const auto judged = static_cast<std::size_t>(std::ranges::upper_bound(times, judgedUpTo) - times.begin());
+  if (judged > 0) row.floor = reference.floorAt(judged - 1, changed.scene.precision);
+  if (motion.stopped || motion.status != Status::Ok) {
+    row.status = motion.stopped                      ? RowStatus::TooSlow
+                 : motion.status == Status::Unstable ? RowStatus::Unstable
+                                                     : RowStatus::NotFinite;
+    return row;
+  }
+  const SampledMotion here = upTo(judgedUpTo, resampled(motion, changed.scene, reference.scene));
+  row.lost = motionError(here, upTo(judgedUpTo, reference.motion));
+  for (std::size_t k = 0; k < judged; ++k) {
+    if (distanceBetween(here.positions[k], reference.motion.positions[k]).rms == row.lost.rms) row.worstAt = times[k];
+  }
+  row.horizon = reference.horizonOf(row.lost.rms, changed.scene.precision);
+  row.within = judged > 0 && row.lost.rms <= plan.within;
+  row.maxStretch = motion.ledger.maxStretch;
+  row.sag = sagOf(motion.positions.back());
+  row.energy = motion.ledger.kinetic + motion.ledger.elastic + motion.ledger.gravitational;
+  return row;
+}
+
 /// What every row of one diet is measured with.
 struct Measures {
   const Reference& reference;
@@ -102,43 +140,7 @@ std::vector<DietRow> togetherOn(const DietRow& written, std::vector<Change> open
   return together;
 }
 
-double sagOf(const std::vector<Vec3>& positions) {
-  const auto [lowest, highest] = std::ranges::minmax(positions, {}, &Vec3::y);
-  return highest.y - lowest.y;
-}
-
 }  // namespace
-
-DietRow dietRow(const Changed& changed, const Reference& reference, double judgedUpTo, const DietPlan& plan) {
-  DietRow row;
-  row.words = changed.words;
-  row.scene = changed.scene;
-  const Method& method = findMethod(changed.scene.integrator);
-  const std::vector<double>& times = reference.motion.times;
-  const SampledMotion motion =
-      sampledRun(changed.scene, method, times, {.threads = plan.threads, .observer = plan.observer});
-  row.work = workOf(method, motion);
-  row.seconds = static_cast<double>(row.work) * plan.cost(changed.scene, plan.threads);
-  const auto judged = static_cast<std::size_t>(std::ranges::upper_bound(times, judgedUpTo) - times.begin());
-  if (judged > 0) row.floor = reference.floorAt(judged - 1, changed.scene.precision);
-  if (motion.stopped || motion.status != Status::Ok) {
-    row.status = motion.stopped                      ? RowStatus::TooSlow
-                 : motion.status == Status::Unstable ? RowStatus::Unstable
-                                                     : RowStatus::NotFinite;
-    return row;
-  }
-  const SampledMotion here = upTo(judgedUpTo, resampled(motion, changed.scene, reference.scene));
-  row.lost = motionError(here, upTo(judgedUpTo, reference.motion));
-  for (std::size_t k = 0; k < judged; ++k) {
-    if (distanceBetween(here.positions[k], reference.motion.positions[k]).rms == row.lost.rms) row.worstAt = times[k];
-  }
-  row.horizon = reference.horizonOf(row.lost.rms, changed.scene.precision);
-  row.within = judged > 0 && row.lost.rms <= plan.within;
-  row.maxStretch = motion.ledger.maxStretch;
-  row.sag = sagOf(motion.positions.back());
-  row.energy = motion.ledger.kinetic + motion.ledger.elastic + motion.ledger.gravitational;
-  return row;
-}
 
 Diet dietOf(const Scene& scene, const Reference& reference, const DietPlan& plan) {
   Progress progress(plan.observer);

@@ -38,11 +38,12 @@ struct DietRow {
 };
 
 struct Diet {
-  double within = 0;              ///< the tolerance, m
-  double judgedUpTo = 0;          ///< s: the last time at which such an error means something; E is taken up to here
-  DietRow written;                ///< the scene as it is
-  std::vector<DietRow> alone;     ///< one change at a time
-  std::vector<DietRow> together;  ///< the changes that were kept, each on top of those before; the last row has them all
+  double within = 0;           ///< the tolerance, m
+  double judgedUpTo = 0;       ///< s: the last time at which such an error means something; E is taken up to here
+  DietRow written;             ///< the scene as it is
+  std::vector<DietRow> alone;  ///< one change at a time
+  std::vector<DietRow>
+      together;  ///< the changes that were kept, each on top of those before; the last row has them all
   bool stopped = false;
 
   /// The scene with all changes that were kept.
@@ -60,9 +61,5 @@ struct DietPlan {
 /// Puts a scene on the diet. `reference` is of that scene and usable. Changes that keep E within the tolerance are
 /// kept together greedily: the largest saving first, halved sheets, longer steps and cheaper methods again and again.
 Diet dietOf(const Scene& scene, const Reference& reference, const DietPlan& plan);
-
-/// Runs one scene and measures it as a row against the full model's reference; `judgedUpTo` as in Diet. A sheet of
-/// another grid is compared at the positions of the reference's particles.
-DietRow dietRow(const Changed& changed, const Reference& reference, double judgedUpTo, const DietPlan& plan);
 
 }  // namespace tyg

@@ -1,5 +1,5 @@
-// The same scene and the yardstick are stepped in short bursts that take turns; the ratio of their fastest bursts is the
-// price.
+// The same scene and the yardstick are stepped in short bursts that take turns; the ratio of their fastest bursts is
+// the price.
 #include "study/work/cost.h"
 
 #include <fmt/core.h>
