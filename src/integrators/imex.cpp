@@ -3,7 +3,7 @@
 // Second order; stable to h w = 2 whatever the damping. D is factored once for each step length.
 #include <Eigen/SparseCholesky>
 
-#include "core/forces/field_ops.h"
+#include "integrators/kick_and_drift.h"
 #include "integrators/make.h"
 #include "integrators/spring_list.h"
 #include "integrators/stable_step.h"
@@ -38,7 +38,7 @@ class Imex final : public Integrator<T> {
     if (isDamped_) {
       solve(state, h);
     } else {
-      kick(forces, state, h);
+      kick(forces, state, force_, h);
     }
     forces.measurePower(state.position, state.velocity);
     forces.dissipate(h / 2);
@@ -54,19 +54,6 @@ class Imex final : public Integrator<T> {
  private:
   using Matrix = Eigen::SparseMatrix<T>;
   using Columns = Eigen::Matrix<T, Eigen::Dynamic, 3>;
-
-  void drift(Forces<T>& forces, State<T>& state, double h) {
-    const T step = T(h);
-    T* x = state.position.x();
-    const T* v = state.velocity.x();
-    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) { x[i] += step * v[i]; });
-  }
-  void kick(Forces<T>& forces, State<T>& state, double h) {
-    const T step = T(h * forces.inverseMass());
-    T* v = state.velocity.x();
-    const T* f = force_.x();
-    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) { v[i] += step * f[i]; });
-  }
 
   /// D over the particles that move: the graph Laplacian weighted with kd, plus drag.
   void buildDamping() {

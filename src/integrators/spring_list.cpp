@@ -1,4 +1,4 @@
-// See spring_list.h.
+// Family by family, the ends of the sheet's springs become indices into the planes of a state.
 #include "integrators/spring_list.h"
 
 namespace tyg {

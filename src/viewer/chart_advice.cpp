@@ -12,16 +12,16 @@ std::string timesText(double ratio) { return formatted(ratio < 10 ? "%.1f times"
 
 std::string named(const Setting& setting) { return std::string(setting.method->name) + ", " + textOf(setting); }
 
-std::string presentSentence(const SettingPlace& place, const Setting& setting, const ChartScale& scale) {
+std::string presentSentence(const SettingEstimate& place, const Setting& setting, const ChartScale& scale) {
   switch (place.kind) {
-    case SettingPlace::Kind::Unknown:
+    case SettingEstimate::Kind::Unknown:
       return named(setting) + ": not measured yet.";
-    case SettingPlace::Kind::Fails:
+    case SettingEstimate::Kind::Fails:
       return named(setting) + ": fails in this scene.";
     default:
       break;
   }
-  const bool measured = place.kind == SettingPlace::Kind::Measured;
+  const bool measured = place.kind == SettingEstimate::Kind::Measured;
   return named(setting) + (measured ? ": error " : ": error about ") + errorText(place.error, scale) + " for " +
          costText(place.seconds, scale) + ".";
 }
@@ -44,7 +44,7 @@ std::string costText(double seconds, const ChartScale& scale) {
 }
 
 ChartAdvice adviceOn(const std::vector<WorkRow>& rows, const Setting& present, const ChartScale& scale) {
-  const SettingPlace place = placeOf(rows, present);
+  const SettingEstimate place = estimateOf(rows, present);
   ChartAdvice advice{.present = presentSentence(place, present, scale), .better = {}};
   const BetterRows better = betterThan(rows, place);
   if (better.cheaper != nullptr) {

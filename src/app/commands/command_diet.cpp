@@ -93,7 +93,7 @@ std::string obstacle(const Reference& reference, double within) {
 }
 
 void writeFiles(const DietFindings& findings, const std::filesystem::path& folder) {
-  const DietRow& lean = findings.diet.leanest();
+  const DietRow& lean = findings.diet.reduced();
   writeWholeFile(folder / "diet.csv", dietCsv(findings));
   writeWholeFile(folder / "lean.toml", sceneToToml(lean.scene, leanComment(findings)));
   // Last: where nothing can draw, all that was computed is there.

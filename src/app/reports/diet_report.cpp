@@ -46,7 +46,7 @@ std::string togetherSentence(const Diet& diet) {
     return "The scene as written is itself further off than that: nothing can be taken away.\n";
   }
   if (diet.together.empty()) return "Together: nothing can be taken away.\n";
-  const DietRow& lean = diet.leanest();
+  const DietRow& lean = diet.reduced();
   return "Together " + percent(lean.saved) + " of the time is saved and " + lengthText(lean.lost.rms) + " is lost.\n";
 }
 
@@ -208,8 +208,8 @@ std::string leanComment(const DietFindings& findings) {
   return "Made by `tyg diet " + diet.written.scene.name + "`: the leanest scene found within " +
          lengthText(diet.within) + ".\n" +
          (words.empty() ? std::string("Nothing could be taken away.") : "Changes: " + joined(words) + ".") + "\n" +
-         "It loses " + lengthText(diet.leanest().lost.rms) +
-         formatted(" and saves %.0f %% of the time.", 100 * diet.leanest().saved);
+         "It loses " + lengthText(diet.reduced().lost.rms) +
+         formatted(" and saves %.0f %% of the time.", 100 * diet.reduced().saved);
 }
 
 }  // namespace tyg

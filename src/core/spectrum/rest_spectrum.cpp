@@ -24,9 +24,6 @@ class Assembly {
     }
   }
 
-  [[nodiscard]] int freeParticles() const { return free_; }
-  [[nodiscard]] const std::vector<Eigen::Triplet<double>>& entries() const { return entries_; }
-
   void everywhere(int size, double value) {
     for (int k = 0; k < size * free_; ++k) entries_.emplace_back(k, k, value);
   }

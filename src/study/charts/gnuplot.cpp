@@ -1,4 +1,4 @@
-// gnuplot as a child process.
+// gnuplot runs as a child process; what it says comes back through a pipe.
 #include "study/charts/gnuplot.h"
 
 #include <fcntl.h>

@@ -116,7 +116,7 @@ class LiveChart final : public Panel {
     }
     if (!advice.better.empty()) {
       paragraph(advice.better, scope.colours.good);
-    } else if (std::isfinite(placeOf(contents.rows, contents.present).error)) {
+    } else if (std::isfinite(estimateOf(contents.rows, contents.present).error)) {
       paragraph(contents.allMethods ? "Nothing measured so far is clearly cheaper or closer."
                                     : "Not every method has been measured yet.",
                 scope.colours.dim);

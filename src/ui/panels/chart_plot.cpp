@@ -10,7 +10,7 @@
 #include <limits>
 #include <utility>
 
-#include "study/charts/method_look.h"
+#include "study/charts/method_style.h"
 #include "tyg/methods.h"
 
 namespace tyg {
@@ -110,16 +110,18 @@ struct ChartPlot::Pen {
 
   [[nodiscard]] float small() const { return kSmall * scope.size; }
   [[nodiscard]] float strip() const { return kStrip * scope.size; }
-  [[nodiscard]] float x(double milliseconds) const { return left + float(cost.place(milliseconds)) * (right - left); }
+  [[nodiscard]] float x(double milliseconds) const {
+    return left + float(cost.fractionAt(milliseconds)) * (right - left);
+  }
   [[nodiscard]] float y(double millimetres) const {
-    return bottom - float(error.place(millimetres)) * (bottom - top - strip());
+    return bottom - float(error.fractionAt(millimetres)) * (bottom - top - strip());
   }
   /// Where a row stands; a failed one in the strip.
   [[nodiscard]] ImVec2 at(const WorkRow& row) const {
     const float across = std::clamp(x(costOf(row, scale)), left, right);
     return {across, failed(row) ? top + 0.5F * strip() : y(1e3 * row.rmsError)};
   }
-  [[nodiscard]] Colour colour(const MethodLook& look) const { return seriesColour(look.colour, scope.background); }
+  [[nodiscard]] Colour colour(const MethodStyle& look) const { return seriesColour(look.colour, scope.background); }
   [[nodiscard]] ImVec2 extent(const char* text) const {
     return ImGui::GetFont()->CalcTextSizeA(small(), 1e6F, 0, text);
   }
@@ -128,7 +130,7 @@ struct ChartPlot::Pen {
   }
 };
 
-void ChartPlot::chooseAxes(const Contents& contents, const SettingPlace& place) {
+void ChartPlot::chooseAxes(const Contents& contents, const SettingEstimate& place) {
   DecadeRange costs, errors;
   for (const WorkRow& row : contents.rows) {
     if (!shown(row)) continue;
@@ -217,7 +219,7 @@ void ChartPlot::drawCurves(const Pen& pen, const Contents& contents) const {
   }
   const WorkRow* before = nullptr;
   for (const WorkRow& row : contents.rows) {
-    const MethodLook look = lookOfMethod(row.integrator);
+    const MethodStyle look = styleOfMethod(row.integrator);
     const Colour colour = faded(pen.colour(look), shareOf(row.integrator));
     if (failed(row)) {
       const ImVec2 at = pen.at(row);
@@ -234,13 +236,13 @@ void ChartPlot::drawCurves(const Pen& pen, const Contents& contents) const {
   }
 }
 
-void ChartPlot::drawPresent(const Pen& pen, const Contents& contents, const SettingPlace& place) {
-  if (place.kind == SettingPlace::Kind::Unknown) return;
-  const bool fails = place.kind == SettingPlace::Kind::Fails;
+void ChartPlot::drawPresent(const Pen& pen, const Contents& contents, const SettingEstimate& place) {
+  if (place.kind == SettingEstimate::Kind::Unknown) return;
+  const bool fails = place.kind == SettingEstimate::Kind::Fails;
   const ImVec2 at{fails ? pen.right - pen.strip() : pen.x(contents.scale.cost(place.seconds)),
                   fails ? pen.top + 0.5F * pen.strip() : pen.y(1e3 * place.error)};
   const float radius = 0.5F * pen.scope.size;
-  const MethodLook look = lookOfMethod(contents.present.method->name);
+  const MethodStyle look = styleOfMethod(contents.present.method->name);
   pen.list.AddCircleFilled(at, radius, pen.scope.colours.text, 24);
   pen.list.AddCircleFilled(at, 0.72F * radius, pen.colour(look), 24);
   if (fails) {
@@ -303,7 +305,7 @@ void ChartPlot::legend(const PanelScope& scope, const Contents& contents) {
     const bool under = ImGui::IsWindowHovered() && cursor.x >= at.x && cursor.x < at.x + cell && cursor.y >= at.y &&
                        cursor.y < at.y + line;
     if (under) emphasised_ = &method;
-    const MethodLook look = lookOfMethod(method.name);
+    const MethodStyle look = styleOfMethod(method.name);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     drawMark(list, look.mark, {at.x + 0.6F * small, at.y + 0.55F * small}, 1.2F * kMarkRadius * scope.size,
              seriesColour(look.colour, scope.background));
@@ -317,7 +319,7 @@ void ChartPlot::legend(const PanelScope& scope, const Contents& contents) {
 }
 
 const WorkRow* ChartPlot::draw(const PanelScope& scope, const Contents& contents, float height) {
-  const SettingPlace place = placeOf(contents.rows, contents.present);
+  const SettingEstimate place = estimateOf(contents.rows, contents.present);
   chooseAxes(contents, place);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, small = kSmall * scope.size;

@@ -27,14 +27,14 @@ class ChartPlot {
 
  private:
   struct Pen;
-  void chooseAxes(const Contents& contents, const SettingPlace& place);
+  void chooseAxes(const Contents& contents, const SettingEstimate& place);
   void legend(const PanelScope& scope, const Contents& contents);
   [[nodiscard]] static const WorkRow* nearest(const Pen& pen, const Contents& contents);
   static void drawGrid(const Pen& pen);
   static void drawCostTicks(const Pen& pen);
   static void drawErrorTicks(const Pen& pen);
   void drawCurves(const Pen& pen, const Contents& contents) const;
-  static void drawPresent(const Pen& pen, const Contents& contents, const SettingPlace& place);
+  static void drawPresent(const Pen& pen, const Contents& contents, const SettingEstimate& place);
   static void readOut(const Pen& pen, const WorkRow& row);
 
   LogAxis cost_{1, 100}, error_{1e-6, 1};  ///< ms per simulated second; mm

@@ -1,5 +1,5 @@
-// Following particles, and the rows that come of it. The chart itself is in trajectory_script.cpp.
-#include "study/charts/trajectory_plot.h"
+// One run a method, stopped at the sample times; the rows then say how far each is from the finest of them.
+#include "study/motion/trajectories.h"
 
 #include <algorithm>
 #include <charconv>
@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <set>
 
-#include "study/charts/trajectory_distance.h"
-#include "util/text.h"
+#include "util/csv.h"
 
 namespace tyg {
 namespace {
@@ -23,8 +22,8 @@ std::string labelOf(const Sheet& sheet, const Place& place) {
 
 bool isPinned(const Sheet& sheet, int particle) { return std::ranges::binary_search(sheet.pins, particle); }
 
-/// The places as charted particles, each particle once.
-std::vector<ChartedParticle> chartedOnce(const Sheet& sheet, const std::vector<Place>& places) {
+/// The particles that are named, each once.
+std::vector<ChartedParticle> eachOnce(const Sheet& sheet, const std::vector<Place>& places) {
   std::vector<ChartedParticle> particles;
   std::set<int> seen;
   for (const Place& place : places) {
@@ -47,7 +46,7 @@ std::vector<double> wholeStepTimes(const Scene& scene) {
 
 void sample(const Simulation& simulation, const std::vector<ChartedParticle>& particles, Trajectory& run) {
   run.times.push_back(simulation.time());
-  for (std::size_t p = 0; p < particles.size(); ++p) run.ways[p].push_back(simulation.position(particles[p].index));
+  for (std::size_t p = 0; p < particles.size(); ++p) run.paths[p].push_back(simulation.position(particles[p].index));
 }
 
 /// The held run of the highest order, fixed-step methods first: an adaptive one is as exact as its tolerance asks,
@@ -70,7 +69,7 @@ std::size_t finestOf(const std::vector<Trajectory>& runs) {
 double distanceFromFinest(const TrajectoryStudy& study, std::size_t run, std::size_t particle, std::size_t time) {
   const Trajectory& finest = study.runs[study.finest];
   if (time >= finest.times.size()) return std::numeric_limits<double>::quiet_NaN();
-  const Vec3 a = study.runs[run].ways[particle][time], b = finest.ways[particle][time];
+  const Vec3 a = study.runs[run].paths[particle][time], b = finest.paths[particle][time];
   return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
 }
 
@@ -88,7 +87,7 @@ std::vector<ChartedParticle> usualParticles(const Scene& scene) {
     }
   }
   if (places.empty()) places.push_back({.name = "top-left"});
-  return chartedOnce(sheet, places);
+  return eachOnce(sheet, places);
 }
 
 ChartedParticle chartedParticle(const Scene& scene, const std::string& name) {
@@ -117,8 +116,8 @@ TrajectoryStudy followParticles(const Scene& scene, std::vector<ChartedParticle>
   const std::vector<double> times = wholeStepTimes(scene);
   bool stopped = false;
   for (std::size_t k = 0; k < methods.size() && !stopped; ++k) {
-    Trajectory run{.method = methods[k], .times = {}, .ways = {}};
-    run.ways.resize(study.particles.size());
+    Trajectory run{.method = methods[k], .times = {}, .paths = {}};
+    run.paths.resize(study.particles.size());
     Simulation simulation(scene, *methods[k], {.threads = threads});
     sample(simulation, study.particles, run);
     for (const double time : times) {
@@ -136,19 +135,14 @@ TrajectoryStudy followParticles(const Scene& scene, std::vector<ChartedParticle>
 }
 
 std::string trajectoryCsv(const TrajectoryStudy& study) {
-  std::string csv = "integrator,particle,t,x,y,z,distance,status\n";
+  std::string csv = csvLine("integrator", "particle", "t", "x", "y", "z", "distance", "status");
   for (std::size_t k = 0; k < study.runs.size(); ++k) {
     const Trajectory& run = study.runs[k];
-    const std::string status(nameOf(run.status));
     for (std::size_t p = 0; p < study.particles.size(); ++p) {
-      const std::string names = std::string(run.method->name) + "," + study.particles[p].label;
       for (std::size_t i = 0; i < run.times.size(); ++i) {
-        csv += names;
-        const Vec3 at = run.ways[p][i];
-        for (const double number : {run.times[i], at.x, at.y, at.z, distanceFromFinest(study, k, p, i)}) {
-          csv += "," + shortNumber(number);
-        }
-        csv += "," + status + "\n";
+        const Vec3 at = run.paths[p][i];
+        csv += csvLine(run.method->name, study.particles[p].label, run.times[i], at.x, at.y, at.z,
+                       distanceFromFinest(study, k, p, i), nameOf(run.status));
       }
     }
   }

@@ -1,10 +1,12 @@
-// Words and numbers about horizons.
-#include "study/motion/past_horizon.h"
+// The table of runs past their horizon, and sentences that sum them up precision by precision.
+#include "study/work/past_horizon.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
-#include <iomanip>
-#include <sstream>
+
+#include "util/csv.h"
 
 namespace tyg {
 namespace {
@@ -19,17 +21,15 @@ BulkDistance larger(const BulkDistance& a, const BulkDistance& b) {
 }  // namespace
 
 std::string pastHorizonCsv(const std::vector<PastHorizon>& runs) {
-  std::ostringstream csv;
-  csv << "scene,integrator,precision,dt,tolerance,horizon_s,centre_m,centre_band_m,gyration_m,gyration_band_m,energy_J,"
-         "energy_band_J\n"
-      << std::setprecision(17);
-  for (const PastHorizon& run : runs) {
-    csv << csvField(run.row.scene) << "," << run.row.integrator << "," << nameOf(run.row.precision) << "," << run.row.dt
-        << "," << run.row.tolerance << "," << run.row.horizon << "," << run.distance.centre << "," << run.band.centre
-        << "," << run.distance.gyration << "," << run.band.gyration << "," << run.distance.energy << ","
-        << run.band.energy << "\n";
+  std::string csv = csvLine("scene", "integrator", "precision", "dt", "tolerance", "horizon_s", "centre_m",
+                            "centre_band_m", "gyration_m", "gyration_band_m", "energy_J", "energy_band_J");
+  for (const auto& [row, distance, band] : runs) {
+    csv += csvLine(row.scene, row.integrator, nameOf(row.precision), longNumber(row.dt), longNumber(row.tolerance),
+                   longNumber(row.horizon), longNumber(distance.centre), longNumber(band.centre),
+                   longNumber(distance.gyration), longNumber(band.gyration), longNumber(distance.energy),
+                   longNumber(band.energy));
   }
-  return csv.str();
+  return csv;
 }
 
 std::vector<std::string> pastHorizonLines(const std::vector<PastHorizon>& runs) {
@@ -47,13 +47,11 @@ std::vector<std::string> pastHorizonLines(const std::vector<PastHorizon>& runs) 
       band = larger(band, run.band);
     }
     if (count == 0) continue;
-    std::ostringstream text;
-    text << std::setprecision(2) << "past the horizon of " << count << (count == 1 ? " run in " : " runs in ")
-         << nameOf(precision) << ", distance from the reference (a twin's; runs within it): centre of mass "
-         << most.centre << " m (" << band.centre << "; " << centres << "), gyration radius " << most.gyration << " m ("
-         << band.gyration << "; " << gyrations << "), energy " << most.energy << " J (" << band.energy << "; "
-         << energies << ")";
-    lines.push_back(text.str());
+    lines.push_back(fmt::format(
+        "past the horizon of {} {} in {}, distance from the reference (a twin's; runs within it): centre of "
+        "mass {:.2g} m ({:.2g}; {}), gyration radius {:.2g} m ({:.2g}; {}), energy {:.2g} J ({:.2g}; {})",
+        count, count == 1 ? "run" : "runs", nameOf(precision), most.centre, band.centre, centres, most.gyration,
+        band.gyration, gyrations, most.energy, band.energy, energies));
   }
   return lines;
 }
@@ -72,11 +70,9 @@ std::vector<std::string> horizonLines(const std::vector<WorkRow>& rows, double d
       last = std::max(last, row.horizon);
     }
     if (count == 0) continue;
-    std::ostringstream text;
-    text << std::setprecision(3) << "in " << nameOf(precision) << " T* = " << first;
-    if (last > first) text << " to " << last;
-    text << " s of " << duration << " s for " << count << " of " << all << (all == 1 ? " run" : " runs");
-    lines.push_back(text.str());
+    const std::string to = last > first ? fmt::format(" to {:.3g}", last) : "";
+    lines.push_back(fmt::format("in {} T* = {:.3g}{} s of {:.3g} s for {} of {} {}", nameOf(precision), first, to,
+                                duration, count, all, all == 1 ? "run" : "runs"));
   }
   return lines;
 }

@@ -1,5 +1,5 @@
-// Where chosen particles go in time, by one method or several: rows first, then a chart drawn from the rows.
-// Must not know: files, gnuplot as a program, options.
+// Where chosen particles go in time, by one method or several, and the rows of it.
+// Must not know: files, how the rows are drawn, options.
 #pragma once
 
 #include <functional>
@@ -23,13 +23,13 @@ std::vector<ChartedParticle> usualParticles(const Scene& scene);
 /// One particle by its name, or as COLUMN:ROW. Throws InputError.
 ChartedParticle chartedParticle(const Scene& scene, const std::string& name);
 
-/// The way of every charted particle by one method.
+/// The path of every charted particle by one method.
 struct Trajectory {
   const Method* method = nullptr;
   Status status = Status::Ok;
   double failedAt = std::numeric_limits<double>::quiet_NaN();  ///< s; NaN for a run that held
   std::vector<double> times;                                   ///< s
-  std::vector<std::vector<Vec3>> ways;                         ///< m; per particle, one position a time
+  std::vector<std::vector<Vec3>> paths;                        ///< m; per particle, one position a time
 };
 
 struct TrajectoryStudy {
@@ -53,7 +53,8 @@ TrajectoryStudy followParticles(const Scene& scene, std::vector<ChartedParticle>
 /// The rows as CSV: integrator,particle,t,x,y,z,distance,status with t in s and the rest in m; distance is the one from
 /// the finest method's particle at that time.
 std::string trajectoryCsv(const TrajectoryStudy& study);
-/// A gnuplot script that draws plot.svg and plot.png from plot.csv, all in its own folder.
-std::string trajectoryScript(const TrajectoryStudy& study);
+
+/// How far a run's particle is from the finest run's at the same sample, m; NaN where the finest run ended before.
+double distanceFromFinest(const TrajectoryStudy& study, std::size_t run, std::size_t particle, std::size_t time);
 
 }  // namespace tyg

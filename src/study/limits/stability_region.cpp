@@ -1,12 +1,12 @@
 // Stability regions in the plane of z = h mu, from the methods' own limits of one mode.
+#include "study/limits/stability_region.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "core/spectrum/rest_spectrum.h"
-#include "integrators/chebyshev.h"
-#include "study/charts/stability_chart.h"
 
 namespace tyg {
 namespace {

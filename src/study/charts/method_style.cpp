@@ -1,5 +1,5 @@
 // Colours and marks go through the table of methods with periods of seven and six: no two methods share both.
-#include "study/charts/method_look.h"
+#include "study/charts/method_style.h"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 
 namespace tyg {
 
-MethodLook lookOfMethod(std::string_view name) {
+MethodStyle styleOfMethod(std::string_view name) {
   constexpr std::size_t kColours = 7, kMarks = 6;
   const auto names = methodNames();
   const auto k = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
