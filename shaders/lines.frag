@@ -13,7 +13,7 @@ uniform int part;            // 0: middles, 1: edges, 2: both at once
 noperspective in float across;
 noperspective in float halfWidth;
 noperspective in float opacity;
-in float place;
+in float alongRamp;
 in float farness;
 out vec4 painted;
 
@@ -23,7 +23,7 @@ void main() {
   if (cover <= 0.0 || (part == 0 && !solid) || (part == 1 && solid)) discard;
   vec3 own = colour;
   if (colouring != 0) {
-    float at = clamp(place, 0.0, 1.0) * 4;
+    float at = clamp(alongRamp, 0.0, 1.0) * 4;
     int below = min(int(at), 3);
     own = mix(ramp[below], ramp[below + 1], at - float(below));
   }

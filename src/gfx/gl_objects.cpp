@@ -1,4 +1,4 @@
-// Compiling and linking shaders; see gl_objects.h.
+// Compiles and links the embedded shaders; what does not compile is reported with the words of the driver.
 #include "gfx/gl_objects.h"
 
 #include <algorithm>

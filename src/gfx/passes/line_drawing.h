@@ -34,7 +34,7 @@ struct LineColours {
 struct LineStyle {
   Shading shading;
   float width = 1;     ///< pixels
-  float sideways = 0;  ///< pixels from the place of the line to where it is drawn
+  float sideways = 0;  ///< pixels from where the line lies to where it is drawn
   float opacity = 1;   ///< 0..1
   LineColours colours{};
 };

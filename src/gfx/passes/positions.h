@@ -12,7 +12,7 @@ class Positions {
  public:
   /// As many points as it can look up with this driver.
   static int mostPoints();
-  /// Room for that many, up to mostPoints().
+  /// Space for that many, up to mostPoints().
   explicit Positions(int points);
 
   /// x, y, z of each point, m.
