@@ -1,11 +1,11 @@
-// Compiling and linking shaders; see gl_objects.h.
-#include "gfx/passes/gl_objects.h"
+// Compiles and links the embedded shaders; what does not compile is reported with the words of the driver.
+#include "gfx/gl_objects.h"
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 
-#include "gfx/passes/embedded_shaders.h"
+#include "gfx/embedded_shaders.h"
 
 namespace tyg {
 namespace {
