@@ -4,10 +4,10 @@ find_package(PkgConfig REQUIRED)
 find_package(glm REQUIRED)
 find_package(glfw3 3.3 REQUIRED)
 find_package(CLI11 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
 find_package(Eigen3 REQUIRED)
 find_package(tomlplusplus REQUIRED)
-find_package(nlohmann_json REQUIRED)
-find_package(fmt REQUIRED)
 pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
 pkg_check_modules(glut REQUIRED IMPORTED_TARGET glut)  # FreeGLUT's own CMake file is broken on Debian 12
 pkg_check_modules(x11 REQUIRED IMPORTED_TARGET x11)   # freeglut itself says nothing of lost focus

@@ -15,9 +15,9 @@
 #include <random>
 #include <string>
 
-#include "app/panels/panels.h"
-#include "app/viewer.h"
 #include "tyg/methods.h"
+#include "ui/panels/panels.h"
+#include "viewer/viewer.h"
 
 namespace tyg {
 namespace {

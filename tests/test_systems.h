@@ -10,11 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "tyg/forces.h"
-#include "tyg/integrator.h"
+#include "core/forces/forces.h"
+#include "core/simulation/integrator.h"
+#include "tyg/method.h"
 #include "tyg/scene.h"
 #include "tyg/sheet.h"
-#include "tyg/workers.h"
+#include "util/workers.h"
 
 namespace tyg::test {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "tyg/integrator.h"
+#include "tyg/method.h"
 
 namespace tyg {
 
@@ -14,5 +14,10 @@ std::span<const Method> methods();
 std::span<const std::string_view> methodNames();
 /// The method of that name. Throws InputError that lists the names; `key` is what asked for it.
 const Method& findMethod(std::string_view name, std::string_view key = "integrator");
+
+/// Some methods refuse some scenes: throws InputError that says why.
+void refuseUnfit(const Method& method, const Scene& scene);
+/// Whether the method takes the scene.
+bool takes(const Method& method, const Scene& scene);
 
 }  // namespace tyg

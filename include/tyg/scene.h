@@ -3,18 +3,13 @@
 #pragma once
 
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace tyg {
+#include "tyg/input_error.h"
 
-/// What a person wrote is wrong. `what()` says where, what was found and what is allowed. Programs exit with 2.
-class InputError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+namespace tyg {
 
 /// A vector of the outside world (metres, newtons or m/s2, as its owner says); y is up.
 struct Vec3 {

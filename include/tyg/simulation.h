@@ -6,9 +6,10 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
-#include "tyg/integrator.h"
+#include "tyg/method.h"
 #include "tyg/push_log.h"
 #include "tyg/scene.h"
 #include "tyg/sheet.h"
@@ -138,5 +139,8 @@ class Simulation {
   struct Body;
   std::unique_ptr<Body> body_;
 };
+
+/// The state's hash as 16 hexadecimal digits.
+std::string hashText(const Simulation& simulation);
 
 }  // namespace tyg

@@ -1,6 +1,6 @@
 // Understands the command line with CLI11, runs the chosen command, and turns every failure into one message.
 #include "app/command_line.h"
-#include "core/text.h"
+#include "util/text.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -11,7 +11,7 @@
 #include <system_error>
 #include <vector>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 
 namespace tyg {
 namespace {

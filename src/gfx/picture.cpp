@@ -3,8 +3,8 @@
 
 #include <stdexcept>
 
-#include "core/whole_file.h"
-#include "tyg/scene.h"
+#include "tyg/input_error.h"
+#include "util/whole_file.h"
 
 #define STB_IMAGE_WRITE_STATIC
 #define STB_IMAGE_WRITE_IMPLEMENTATION

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "gfx/gl_objects.h"
+#include "gfx/passes/gl_objects.h"
 
 namespace tyg {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/rest_spectrum.h"
+#include "core/spectrum/rest_spectrum.h"
 #include "integrators/chebyshev_table.h"
 
 namespace tyg {

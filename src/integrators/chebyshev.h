@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/lattice.h"
+#include "core/spectrum/lattice.h"
 
 namespace tyg {
 

@@ -10,9 +10,9 @@
 #include <limits>
 #include <utility>
 
-#include "core/field_ops.h"
+#include "core/forces/field_ops.h"
+#include "core/simulation/integrator.h"
 #include "integrators/step_control.h"
-#include "tyg/integrator.h"
 
 namespace tyg {
 

@@ -1,6 +1,6 @@
 // Explicit Euler (Euler 1768): position and velocity both move with what they were at the start of the step.
-#include "core/field_ops.h"
-#include "core/lattice.h"
+#include "core/forces/field_ops.h"
+#include "core/spectrum/lattice.h"
 #include "integrators/make.h"
 #include "integrators/stable_step.h"
 

@@ -3,7 +3,7 @@
 // Second order; stable to h w = 2 whatever the damping. D is factored once for each step length.
 #include <Eigen/SparseCholesky>
 
-#include "core/field_ops.h"
+#include "core/forces/field_ops.h"
 #include "integrators/make.h"
 #include "integrators/spring_list.h"
 #include "integrators/stable_step.h"

@@ -1,8 +1,8 @@
 // The update that the symplectic Euler family shares: first the velocity, then the position with the new velocity.
 #pragma once
 
-#include "core/field_ops.h"
-#include "tyg/forces.h"
+#include "core/forces/field_ops.h"
+#include "core/forces/forces.h"
 
 namespace tyg {
 

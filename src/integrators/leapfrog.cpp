@@ -1,7 +1,7 @@
 // Leapfrog in its velocity Verlet form (Verlet 1967; Swope et al. 1982):
 //   w = v + h/2 a;  x' = x + h w;  a' = a(x', w + h/2 a);  v' = w + h/2 a'
 // Damping sees the velocity predicted with the old acceleration: that keeps second order with one evaluation a step.
-#include "core/field_ops.h"
+#include "core/forces/field_ops.h"
 #include "integrators/make.h"
 #include "integrators/stable_step.h"
 

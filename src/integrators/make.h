@@ -5,7 +5,8 @@
 #include <memory>
 #include <type_traits>
 
-#include "tyg/integrator.h"
+#include "core/simulation/integrator.h"
+#include "tyg/method.h"
 
 namespace tyg {
 

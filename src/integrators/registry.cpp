@@ -3,8 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "core/text.h"
+#include "core/simulation/integrator.h"
 #include "tyg/methods.h"
+#include "util/text.h"
 
 namespace tyg {
 
@@ -44,6 +45,17 @@ const Method& findMethod(std::string_view name, std::string_view key) {
     if (method.name == name) return method;
   }
   throw InputError(std::string(key) + ": found \"" + std::string(name) + "\", allowed: " + joined(methodNames()));
+}
+
+void refuseUnfit(const Method& method, const Scene& scene) { (void)method.makeDouble(scene, makeSheet(scene)); }
+
+bool takes(const Method& method, const Scene& scene) {
+  try {
+    refuseUnfit(method, scene);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 }  // namespace tyg

@@ -1,7 +1,7 @@
 // The classical Runge-Kutta method (Kutta 1901) on the coupled state y = (x, v), y' = (v, a(x, v)):
 //   k1 = f(y); k2 = f(y + h/2 k1); k3 = f(y + h/2 k2); k4 = f(y + h k3); y' = y + h/6 (k1 + 2 k2 + 2 k3 + k4)
 // The position half of every k is a velocity, so only velocities and forces are summed.
-#include "core/field_ops.h"
+#include "core/forces/field_ops.h"
 #include "integrators/make.h"
 #include "integrators/stable_step.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/field_ops.h"
+#include "core/forces/field_ops.h"
 #include "integrators/chebyshev.h"
 #include "integrators/chebyshev_table.h"
 #include "integrators/make.h"

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "core/forces/state.h"
 #include "tyg/sheet.h"
-#include "tyg/state.h"
 
 namespace tyg {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <complex>
 
-#include "core/lattice.h"
+#include "core/spectrum/lattice.h"
 
 namespace tyg {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/lattice.h"
+#include "core/spectrum/lattice.h"
 
 namespace tyg {
 

@@ -4,7 +4,7 @@
 // Damping acts before, on the predicted velocities, as a pair impulse -h kd dv / (1 + h kd (w1 + w2)) per spring.
 #include <cmath>
 
-#include "core/field_ops.h"
+#include "core/forces/field_ops.h"
 #include "integrators/make.h"
 #include "integrators/spring_list.h"
 

@@ -1,5 +1,5 @@
 // What is said of an advice, without the search for one.
-#include "app/advice_report.h"
+#include "app/reports/advice_report.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // `tyg diet`: its files, its table, what it refuses.
 #include <sstream>
 
-#include "app/amounts.h"
-#include "app/captions.h"
 #include "app/program.h"
 #include "tyg/methods.h"
 #include "tyg/scene.h"
+#include "ui/captions.h"
+#include "util/amounts.h"
 
 namespace tyg {
 namespace {

@@ -2,7 +2,7 @@
 #include <iomanip>
 
 #include "app/program.h"
-#include "app/run_report.h"
+#include "app/reports/run_report.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"
 

@@ -8,8 +8,8 @@
 #include <regex>
 #include <thread>
 
-#include "app/json.h"
 #include "app/program.h"
+#include "app/reports/json.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"
 

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "../test_systems.h"
-#include "study/advice.h"
-#include "study/diet_changes.h"
-#include "study/error.h"
-#include "study/stability.h"
+#include "study/advice/advice.h"
+#include "study/diet/diet_changes.h"
+#include "study/limits/stability.h"
+#include "study/motion/error.h"
 #include "tyg/methods.h"
 
 namespace tyg::test {

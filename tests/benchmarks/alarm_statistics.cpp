@@ -11,9 +11,9 @@
 #include <thread>
 #include <vector>
 
-#include "core/alarm.h"
+#include "core/simulation/alarm.h"
 #include "random_cloth.h"
-#include "study/stability.h"
+#include "study/limits/stability.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"
 

@@ -10,7 +10,7 @@
 #include <algorithm>
 
 #include "peers.h"
-#include "study/error.h"
+#include "study/motion/error.h"
 #include "tyg/methods.h"
 
 namespace tyg::peers {

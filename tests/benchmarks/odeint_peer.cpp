@@ -1,10 +1,11 @@
 // Boost.Odeint's classical Runge-Kutta method, with the list of springs and with Tyg's forces.
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 
+#include "core/forces/forces.h"
 #include "peers.h"
-#include "study/error.h"
+#include "study/motion/error.h"
 #include "tyg/methods.h"
-#include "tyg/workers.h"
+#include "util/workers.h"
 
 namespace tyg::peers {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/error.h"
+#include "study/motion/error.h"
 
 namespace tyg::peers {
 

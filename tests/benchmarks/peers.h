@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "study/reference.h"
+#include "study/motion/reference.h"
 #include "tyg/simulation.h"
 
 namespace tyg::peers {

@@ -6,10 +6,11 @@
 #include <limits>
 #include <map>
 
+#include "core/simulation/integrator.h"
 #include "peers.h"
-#include "study/stability.h"
+#include "study/limits/stability.h"
 #include "tyg/methods.h"
-#include "tyg/workers.h"
+#include "util/workers.h"
 
 namespace tyg::peers {
 namespace {

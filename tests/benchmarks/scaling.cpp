@@ -10,8 +10,8 @@
 #include <iostream>
 #include <sstream>
 
-#include "core/whole_file.h"
-#include "study/gnuplot.h"
+#include "study/charts/gnuplot.h"
+#include "util/whole_file.h"
 
 namespace tyg::scaling {
 

@@ -7,10 +7,10 @@
 #include <sstream>
 
 #include "scaling.h"
-#include "study/cost.h"
-#include "study/gnuplot.h"
-#include "study/method_look.h"
-#include "study/stability.h"
+#include "study/charts/gnuplot.h"
+#include "study/charts/method_look.h"
+#include "study/limits/stability.h"
+#include "study/work/cost.h"
 #include "tyg/methods.h"
 
 namespace tyg::scaling {

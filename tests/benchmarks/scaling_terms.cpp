@@ -3,10 +3,11 @@
 #include <memory>
 #include <sstream>
 
-#include "core/whole_file.h"
+#include "core/simulation/integrator.h"
 #include "scaling.h"
 #include "tyg/methods.h"
-#include "tyg/workers.h"
+#include "util/whole_file.h"
+#include "util/workers.h"
 
 namespace tyg::scaling {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/row_kernel.h"
+#include "core/forces/row_kernel.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"
 

@@ -1,5 +1,5 @@
 // The step limit of the present state against dense eigenvalues of the forces' Jacobian, which the oracle differences.
-#include "core/live_spectrum.h"
+#include "core/spectrum/live_spectrum.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Scenes written as files read back as themselves.
-#include "core/scene_writer.h"
+#include "core/scene/scene_writer.h"
 
 #include <gtest/gtest.h>
 

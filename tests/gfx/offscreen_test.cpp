@@ -1,6 +1,6 @@
 // Pictures drawn off-screen by every kind of context that this build has, compared with stored ones and each other.
 // TYG_STORE_PICTURES=1 in the environment writes the stored pictures anew (look at them before you keep them).
-#include "gfx/offscreen.h"
+#include "gfx/contexts/offscreen.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "files.h"
-#include "gfx/sheet_renderer.h"
+#include "gfx/passes/sheet_renderer.h"
 
 namespace tyg {
 namespace {

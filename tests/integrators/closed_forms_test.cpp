@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "core/simulation/integrator.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
 

@@ -1,6 +1,7 @@
 // Every method asks for exactly as many force evaluations as its line in the table says.
 #include <gtest/gtest.h>
 
+#include "core/simulation/integrator.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"

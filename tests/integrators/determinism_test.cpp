@@ -7,7 +7,7 @@
 #include <sstream>
 #include <vector>
 
-#include "core/row_kernel.h"
+#include "core/forces/row_kernel.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"
 

@@ -1,6 +1,7 @@
 // Many steps in one call give the bits of as many single steps, whatever is fused inside.
 #include <gtest/gtest.h>
 
+#include "core/simulation/integrator.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
 

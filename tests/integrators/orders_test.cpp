@@ -17,11 +17,6 @@ void expectTheOrder(const Scene& scene, const Method& method) {
   EXPECT_NEAR(observedOrder(scene, method), method.order, kOrderTolerance) << method.name;
 }
 
-/// imex factors a constant damping matrix, which the axial law does not have.
-bool takes(const Method& method, const Scene& scene) {
-  return scene.damping == Damping::Relative || method.name != "imex";
-}
-
 TEST(Orders, OfEveryMethodAreAsDeclaredUnderRelativeDamping) {
   for (const Method& method : methods()) expectTheOrder(softSheet(Damping::Relative), method);
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "core/simulation/integrator.h"
 #include "method_checks.h"
 #include "tyg/methods.h"
 

@@ -1,11 +1,11 @@
 // Advice on small scenes, with work priced by the particle, not by a clock.
-#include "study/advice.h"
+#include "study/advice/advice.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "study/stability.h"
+#include "study/limits/stability.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
 

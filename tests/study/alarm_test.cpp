@@ -1,7 +1,7 @@
 // The alarm at both sides of each method's limit: quiet below it, raised above it, in cloth that moves.
 #include <gtest/gtest.h>
 
-#include "study/stability.h"
+#include "study/limits/stability.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"

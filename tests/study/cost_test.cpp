@@ -1,9 +1,9 @@
 // Prices of work, by a clock that runs with the work itself.
-#include "study/cost.h"
+#include "study/work/cost.h"
 
 #include <gtest/gtest.h>
 
-#include "study/resampled.h"
+#include "study/motion/resampled.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
 

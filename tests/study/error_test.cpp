@@ -1,5 +1,5 @@
 // The error measure, on made-up motions whose distance is known, and the times at which motions are compared.
-#include "study/error.h"
+#include "study/motion/error.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "study/stability.h"
+#include "study/limits/stability.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"
 

@@ -1,5 +1,5 @@
 // gnuplot as a child process: drawn, failed or missing, each told apart.
-#include "study/gnuplot.h"
+#include "study/charts/gnuplot.h"
 
 #include <gtest/gtest.h>
 

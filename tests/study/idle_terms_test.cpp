@@ -1,10 +1,10 @@
 // What a scene models and nobody will see.
-#include "study/idle_terms.h"
+#include "study/diet/idle_terms.h"
 
 #include <gtest/gtest.h>
 
-#include "study/error.h"
-#include "study/sampled_motion.h"
+#include "study/motion/error.h"
+#include "study/motion/sampled_motion.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
 

@@ -1,12 +1,12 @@
 // The model diet on scenes whose answers are known, with work priced by the particle, not by a clock.
-#include "study/diet.h"
+#include "study/diet/diet.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "study/model_needs.h"
+#include "study/diet/model_needs.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
 

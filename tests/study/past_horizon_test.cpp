@@ -1,12 +1,12 @@
 // What is compared past a horizon: sheets as wholes, against the spread of the reference's twin.
-#include "study/past_horizon.h"
+#include "study/motion/past_horizon.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "study/reference.h"
+#include "study/motion/reference.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
 

@@ -1,5 +1,5 @@
 // Settings among rows that obey exact laws: error = c h^p, cost = k/h.
-#include "study/present_setting.h"
+#include "study/advice/present_setting.h"
 
 #include <gtest/gtest.h>
 

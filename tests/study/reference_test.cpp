@@ -1,6 +1,6 @@
 // The reference against Boost.Odeint on a separately written list of springs, its own account of its error, and the
 // twin's growth where it is known in closed form.
-#include "study/reference.h"
+#include "study/motion/reference.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
 
-#include "study/error.h"
+#include "study/motion/error.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
 

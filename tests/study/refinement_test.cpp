@@ -1,5 +1,5 @@
 // Finer sheets of the same cloth.
-#include "study/refinement.h"
+#include "study/motion/refinement.h"
 
 #include <gtest/gtest.h>
 

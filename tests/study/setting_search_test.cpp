@@ -1,12 +1,12 @@
 // The search for settings: how many runs it makes, how much it spends, and what it takes from earlier ones. Work is
 // priced by the particle, not by a clock.
-#include "study/setting_search.h"
+#include "study/advice/setting_search.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "study/diet_changes.h"
+#include "study/diet/diet_changes.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
 

@@ -1,13 +1,13 @@
 // Measured step limits against predicted ones, and what a study of them is written as.
-#include "study/stability_study.h"
+#include "study/limits/stability_study.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <sstream>
 
-#include "study/measured_limit.h"
-#include "study/stability_chart.h"
+#include "study/charts/stability_chart.h"
+#include "study/limits/measured_limit.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"

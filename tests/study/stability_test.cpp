@@ -1,5 +1,5 @@
 // The step limit at rest against closed forms of the lattice's spectrum.
-#include "study/stability.h"
+#include "study/limits/stability.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // The step limits of finite sheets, the bound for any deformation, and what is said about them.
 #include <gtest/gtest.h>
 
-#include "core/rest_spectrum.h"
-#include "study/stability.h"
+#include "core/spectrum/rest_spectrum.h"
+#include "study/limits/stability.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"

@@ -1,5 +1,5 @@
 // Following particles: which, at what times, and what the rows say.
-#include "study/trajectory_plot.h"
+#include "study/charts/trajectory_plot.h"
 
 #include <gtest/gtest.h>
 

@@ -7,10 +7,10 @@
 #include <functional>
 #include <span>
 
-#include "core/rest_spectrum.h"
+#include "core/spectrum/rest_spectrum.h"
 #include "integrators/chebyshev.h"
 #include "random_cloth.h"
-#include "study/stability.h"
+#include "study/limits/stability.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"
 
@@ -48,10 +48,6 @@ Scene inProportion(Scene scene) {
   for (SpringFamily* family : {&scene.structural, &scene.shear, &scene.bend}) family->kd = seconds * family->ks;
   scene.damping = Damping::Relative;
   return scene;
-}
-
-bool takes(const Method& method, const Scene& scene) {
-  return method.name != "imex" || scene.damping == Damping::Relative;
 }
 
 /// Undamped, this leaves the imaginary axis by so little that 1500 steps show nothing of it. See SlowGrowth below.

@@ -1,12 +1,12 @@
 // The chart's script and the places of its labels.
-#include "study/work_chart.h"
+#include "study/charts/work_chart.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "study/label_places.h"
-#include "study/work_chart_axes.h"
+#include "study/charts/label_places.h"
+#include "study/charts/work_chart_axes.h"
 
 namespace tyg {
 namespace {

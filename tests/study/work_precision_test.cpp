@@ -1,5 +1,5 @@
 // The study of speed against accuracy on a small sheet, with a clock that only counts how often it is asked.
-#include "study/work_precision.h"
+#include "study/work/work_precision.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // Rows as CSV and back, and the cheapest of them.
-#include "study/work_rows.h"
+#include "study/work/work_rows.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "study/frontier.h"
+#include "study/work/frontier.h"
 
 namespace tyg {
 namespace {

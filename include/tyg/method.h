@@ -1,0 +1,44 @@
+// What the table of methods says of a time integration method: its names, its order, its cost, its stability limit.
+// Must not know: how a method computes a step.
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "tyg/scene.h"
+#include "tyg/sheet.h"
+
+namespace tyg {
+
+template <class T>
+class Integrator;
+
+/// An entry of the table of methods. Everything that lists methods (command line, tests, charts) loops over that table.
+struct Method {
+  std::string_view name;       ///< as scenes and the command line write it
+  std::string_view label;      ///< as charts and the window write it
+  std::string_view scheme;     ///< one line: the formula
+  int order;                   ///< of convergence, for smooth forces
+  int evaluationsPerStep;      ///< force evaluations of one step; -1 where it varies with the step
+  int evaluationsAtStart = 0;  ///< more of them in the first step, and after every reset
+  bool adaptive = false;       ///< chooses its own steps within a scene's tolerance; dt is then not used
+  /// Largest stable step in seconds for the mode x'' + d x' + w2 x = 0 (w2 in 1/s2, d in 1/s, both >= 0): infinite
+  /// where every step is stable, 0 where none is. Null where the method has no limit, or none that a single mode sets.
+  double (*stableStep)(double w2, double d) = nullptr;
+  /// The same for all modes of a scene's sheet at rest at once, for methods that adapt to the whole spectrum; else
+  /// null.
+  double (*stableStepOfScene)(const Scene& scene) = nullptr;
+  std::unique_ptr<Integrator<float>> (*makeFloat)(const Scene& scene, const Sheet& sheet);
+  std::unique_ptr<Integrator<double>> (*makeDouble)(const Scene& scene, const Sheet& sheet);
+
+  template <class T>
+  [[nodiscard]] std::unique_ptr<Integrator<T>> make(const Scene& scene, const Sheet& sheet) const {
+    if constexpr (sizeof(T) == sizeof(float)) {
+      return makeFloat(scene, sheet);
+    } else {
+      return makeDouble(scene, sheet);
+    }
+  }
+};
+
+}  // namespace tyg

@@ -1,0 +1,123 @@
+// `tyg advise`: the cheapest method, step, precision and threads for an error or a time budget, with proof.
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <thread>
+
+#include "app/command_line.h"
+#include "app/commands/commands.h"
+#include "app/output/progress.h"
+#include "app/reports/advice_report.h"
+#include "core/scene/scene_writer.h"
+#include "tyg/methods.h"
+#include "util/amounts.h"
+#include "util/calibration_clock.h"
+#include "util/interrupt.h"
+#include "util/whole_file.h"
+#include "util/workers.h"
+
+namespace tyg {
+namespace {
+
+struct AdviseOptions {
+  SceneOptions scene;
+  std::string error, budget, write;
+  bool json = false;
+};
+
+constexpr const char* kExamples =
+    "A quick study runs the few settings of method, step and precision that are likely to be cheapest. Its choice is\n"
+    "then run once more against a reference that a second method agrees on, and timed. The error is the largest RMS\n"
+    "distance of all particles from the exact motion; the cost is computing time for a sixtieth of a second.\n"
+    "--integrator, --precision and --threads narrow the choice; --dt and --tolerance are not used.\n\n"
+    "Nothing is searched for that is more exact than the motion itself can be known, nor any run made that takes "
+    "longer\n"
+    "than what it simulates (or 1.5 s, or four of the cheapest run), nor one that costs more than the best found. The\n"
+    "built-in scenes take 1 to 15 s, the 77x77 sheet of fail-refined up to half a minute; larger sheets take longer "
+    "as\n"
+    "their runs do, a small part of it for small requests.\n\n"
+    "Examples:\n"
+    "  tyg advise curtain --error 1mm\n"
+    "  tyg advise flag --error 0.1% --write flag-advised.toml\n"
+    "  tyg advise curtain --sheet 200x200 --duration 0.5 --budget 4ms\n\n"
+    "Exit codes: 0 done; 1 the request cannot be met (the nearest is said), or there is no proof; 2 wrong input or\n"
+    "usage; 130 Ctrl-C.";
+
+Request requested(const AdviseOptions& options, const Scene& scene) {
+  if (options.error.empty() == options.budget.empty()) {
+    throw InputError(std::string("found ") +
+                     (options.error.empty() ? "neither --error nor --budget" : "--error and --budget together") +
+                     ", allowed is one of them, such as --error 1mm or --budget 4ms");
+  }
+  Request request;
+  if (!options.error.empty()) request.error = parseLength("--error", options.error, makeSheet(scene).size());
+  if (!options.budget.empty()) request.budget = parseTime("--budget", options.budget);
+  return request;
+}
+
+/// One thread for sheets that do not gain by more, else the powers of two up to the cores.
+std::vector<int> threadChoices(const AdviseOptions& options, const Scene& scene) {
+  if (options.scene.threads) return {*options.scene.threads};
+  std::vector<int> choices{1};
+  if (defaultThreads(scene.columns * scene.rows) == 1) return choices;
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  for (int threads = 2; threads < cores; threads *= 2) choices.push_back(threads);
+  if (cores > 1) choices.push_back(cores);
+  return choices;
+}
+
+Advice advised(const AdviseOptions& options, const Scene& scene, const Request& request) {
+  Progress progress("tyg advise " + scene.name);
+  CostMeter meter(scene, 1, calibrationClock);
+  AdvicePlan plan;
+  plan.request = request;
+  for (const Method& method : methods()) {
+    if (!options.scene.integrator || method.name == *options.scene.integrator) plan.methods.push_back(&method);
+  }
+  if (options.scene.precision) plan.precisions = {scene.precision};
+  plan.threads = threadChoices(options, scene);
+  plan.cost = [&](const Scene& priced, int threads) { return meter.secondsPerUnit(priced, threads); };
+  plan.clock = calibrationClock;
+  plan.observer = [&](double fraction) {
+    progress.show(fraction);
+    return !interrupted();
+  };
+  return adviseOn(scene, plan);
+}
+
+int advise(const AdviseOptions& options) {
+  const Scene scene = chosenScene(options.scene);
+  const Request request = requested(options, scene);
+  if (!options.write.empty()) checkWritable(options.write);
+  const InterruptWatch watch;
+  const Advice advice = advised(options, scene, request);
+  if (interrupted()) {
+    std::cerr << "tyg advise: interrupted; nothing was written" << std::endl;
+    return kInterrupted;
+  }
+  if (!options.write.empty() && advice.promise) {
+    writeWholeFile(options.write, sceneToToml(advice.promise->scene, adviceComment(scene, advice)));
+  }
+  std::cout << (options.json ? adviceJson(scene, advice) + "\n" : adviceText(scene, advice));
+  if (!options.json && !options.write.empty() && advice.promise) std::cout << options.write << "\n";
+  std::cout << std::flush;
+  return advice.met && advice.held ? kDone : kSimulationFailed;
+}
+
+}  // namespace
+
+void addAdviseCommand(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand(
+      "advise", "The cheapest method, step, precision and threads for an error or a time budget, with proof");
+  const auto options = std::make_shared<AdviseOptions>();
+  addSceneOptions(*command, options->scene);
+  command->add_option("--error", options->error, "The largest error allowed: a length, or % of the sheet's size")
+      ->type_name("1mm|1%");
+  command->add_option("--budget", options->budget, "Computing time allowed for each frame of 1/60 s")->type_name("4ms");
+  command->add_option("--write", options->write, "Save the scene with the choice")->type_name("FILE.toml");
+  command->add_flag("--json", options->json, "One JSON object on standard output instead of the lines");
+  command->footer(kExamples);
+  command->callback([options, &action] { action = [options] { return advise(*options); }; });
+}
+
+}  // namespace tyg

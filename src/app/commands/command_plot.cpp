@@ -1,0 +1,113 @@
+// `tyg plot`: x, y, z of chosen particles against time, as rows, a gnuplot script, and pictures where gnuplot is there.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "app/command_line.h"
+#include "app/commands/commands.h"
+#include "app/commands/option_checks.h"
+#include "app/output/drawn_files.h"
+#include "app/output/progress.h"
+#include "study/charts/trajectory_plot.h"
+#include "tyg/methods.h"
+#include "util/interrupt.h"
+#include "util/text.h"
+#include "util/whole_file.h"
+
+namespace tyg {
+namespace {
+
+constexpr std::size_t kMostParticles = 6;
+constexpr const char* kUsualMethods = "symplectic-euler,report-rk4,rk4";
+
+struct PlotOptions {
+  SceneOptions scene;
+  std::string particles, methods, out = "out";
+};
+
+constexpr const char* kExamples =
+    "The lowest panel shows how far each method is from the one of the highest order, on a logarithmic axis. A run "
+    "that\n"
+    "fails stays in the chart, marked with a cross. Where gnuplot is missing, rows and script are written all the "
+    "same.\n\n"
+    "Examples:\n"
+    "  tyg plot four-particles                  the 2017 report's Euler beside its Runge-Kutta and the true one\n"
+    "  tyg plot poke --particles middle,bottom-left --methods leapfrog,rk4 --dt 0.004\n"
+    "  tyg plot curtain --particles 5:10,middle --out charts";
+
+std::vector<ChartedParticle> chosenParticles(const Scene& scene, const std::string& list) {
+  if (list.empty()) return usualParticles(scene);
+  std::vector<ChartedParticle> particles;
+  for (const std::string& name : splitList(list)) particles.push_back(chartedParticle(scene, name));
+  if (particles.empty() || particles.size() > kMostParticles) {
+    throw InputError("--particles: found " + std::to_string(particles.size()) + " names, allowed are 1 to " +
+                     std::to_string(kMostParticles) + " with commas between");
+  }
+  return particles;
+}
+
+TrajectoryStudy followed(const Scene& scene, const PlotOptions& options) {
+  const std::vector<const Method*> methods = chosenMethods(options.methods, options.scene, kUsualMethods);
+  Progress progress("tyg plot " + scene.name);
+  return followParticles(scene, chosenParticles(scene, options.particles), methods, options.scene.threads.value_or(0),
+                         [&](std::size_t run, double time) {
+                           progress.show((double(run) + time / scene.duration) / double(methods.size()));
+                           return !interrupted();
+                         });
+}
+
+void sayWhatFailed(const TrajectoryStudy& study) {
+  for (const Trajectory& run : study.runs) {
+    if (run.status == Status::Ok) continue;
+    std::cerr << "tyg plot: " << run.method->name
+              << (run.method->adaptive ? formatted(" with a tolerance of %.4g m was ", study.scene.tolerance)
+                                       : formatted(" with a step of %.4g s was ", study.scene.dt))
+              << nameOf(run.status) << " at t = " << run.failedAt << " s; its curve ends there" << std::endl;
+  }
+}
+
+int plot(const PlotOptions& options) {
+  const Scene scene = chosenScene(options.scene);
+  chosenMethods(options.methods, options.scene, kUsualMethods);
+  chosenParticles(scene, options.particles);
+  const std::vector<std::string> files{"plot.csv", "plot.gp", "plot.svg", "plot.png"};
+  const std::filesystem::path folder = preparedFolder(options.out, files);
+
+  const InterruptWatch watch;
+  const TrajectoryStudy study = followed(scene, options);
+  if (interrupted()) {
+    std::cerr << "tyg plot: interrupted; nothing was written" << std::endl;
+    return kInterrupted;
+  }
+  sayWhatFailed(study);
+  writeWholeFile(folder / "plot.csv", trajectoryCsv(study));
+  writeWholeFile(folder / "plot.gp", trajectoryScript(study));
+  return drawFiles("tyg plot", folder, "plot", "plot.csv");
+}
+
+}  // namespace
+
+void addPlotCommand(CLI::App& app, Action& action) {
+  CLI::App* command =
+      app.add_subcommand("plot", "Chart x, y, z of chosen particles against time, by one or more methods");
+  const auto options = std::make_shared<PlotOptions>();
+  addSceneOptions(*command, options->scene);
+  command
+      ->add_option(
+          "--particles", options->particles,
+          "Which particles: top-left, top-right, bottom-left, bottom-right, middle, or COLUMN:ROW; at most six "
+          "[those drawn out or pushed, else bottom-left and middle]")
+      ->type_name("NAME,...");
+  command
+      ->add_option("--methods", options->methods,
+                   std::string("Which methods (tyg list shows them) [--integrator, else ") + kUsualMethods + "]")
+      ->type_name("NAME,...");
+  command->add_option("--out", options->out, "Folder for plot.csv, plot.gp, plot.svg and plot.png [out]")
+      ->type_name("DIR");
+  command->footer(kExamples);
+  command->callback([options, &action] { action = [options] { return plot(*options); }; });
+}
+
+}  // namespace tyg

@@ -1,0 +1,97 @@
+// `tyg render`: a picture, a sequence of pictures or a movie of a scene, without a display.
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+
+#include "app/commands/commands.h"
+#include "app/commands/option_checks.h"
+#include "app/output/render.h"
+#include "study/motion/telling_moment.h"
+#include "util/file_names.h"
+#include "util/text.h"
+
+namespace tyg {
+namespace {
+
+constexpr int kMostPixels = 16384;
+constexpr std::size_t kMostFrames = 100'000;
+
+struct RenderOptions {
+  SceneOptions scene;
+  std::optional<double> at, from, to, fps;
+  std::string size = "1280x720";
+  std::optional<std::string> out;
+  bool light = false;
+};
+
+constexpr const char* kExamples =
+    "Without --at, --from and --to: one picture of a telling moment, or the whole run where --out is a movie or a "
+    "folder.\nA movie needs ffmpeg; a folder of PNG pictures needs nothing.\n\n"
+    "Examples:\n"
+    "  tyg render curtain                                   curtain.png\n"
+    "  tyg render poke --at 0.6 --out poke.png --light      on a light background, for print\n"
+    "  tyg render flag --from 0 --to 4 --fps 60 --out flag.mp4\n"
+    "  tyg render hammock --out frames                      numbered pictures";
+
+std::vector<double> chosenTimes(const Scene& scene, const RenderOptions& options) {
+  if (options.at && (options.from || options.to)) {
+    throw InputError(
+        "found --at together with --from or --to, allowed is --at for one picture or --from and --to for "
+        "several");
+  }
+  const std::string out = options.out.value_or("");
+  const bool isPicture = out.empty() || endingOf(out) == ".png";
+  if (options.at) return {*options.at};
+  if (!options.from && !options.to && isPicture) return {tellingMoment(scene)};
+  const double from = options.from.value_or(0), to = options.to.value_or(scene.duration);
+  const double fps = options.fps.value_or(RenderRequest{}.fps);
+  if (!(to > from)) throw InputError("--to: found a time that is not after --from, allowed is a later one");
+  if ((to - from) * fps > double(kMostFrames)) {
+    throw InputError("--from, --to, --fps: found more than 100000 frames, allowed are fewer");
+  }
+  std::vector<double> times = frameTimes(from, to, fps);
+  if (times.size() == 1 && !isPicture) {
+    throw InputError("--to: found less than one frame after --from, allowed for a movie or a folder is " +
+                     formatted("%.4g s or more at %.4g pictures per second", from + 1 / fps, fps));
+  }
+  return times;
+}
+
+int renderChosen(const RenderOptions& options) {
+  const Scene scene = chosenScene(options.scene);
+  RenderRequest request;
+  request.times = chosenTimes(scene, options);
+  request.fps = options.fps.value_or(request.fps);
+  const auto [width, height] = parsePair(options.size);
+  request.size = {width, height};
+  request.out = options.out.value_or(fileStem(scene.name) + (request.times.size() > 1 ? "" : ".png"));
+  request.draw.background = options.light ? Background::Light : Background::Dark;
+  request.threads = options.scene.threads.value_or(0);
+  return render(scene, request);
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("render", "Draw a picture, a sequence or a movie, without a display");
+  const auto options = std::make_shared<RenderOptions>();
+  addSceneOptions(*command, options->scene);
+  const auto time = [](const std::string& text) { return checkNotNegative(text, "seconds, such as 0.5"); };
+  command->add_option("--at", options->at, "One picture at this simulated time, s")->type_name("S")->check(time);
+  command->add_option("--from", options->from, "The first of several pictures, s [0]")->type_name("S")->check(time);
+  command->add_option("--to", options->to, "The last one, s [the end]")->type_name("S")->check(time);
+  command->add_option("--fps", options->fps, "Pictures per simulated second [30]")
+      ->type_name("N")
+      ->check([](const std::string& text) { return checkPositive(text, "pictures per second, such as 30"); });
+  command->add_option("--size", options->size, "Pixels [1280x720]")
+      ->type_name("WxH")
+      ->check([](const std::string& text) { return checkPair(text, kMostPixels, "pixels, such as 1280x720"); });
+  command
+      ->add_option("--out", options->out, "FILE.png, FILE.mp4, FILE.gif or a folder [SCENE.png, or the folder SCENE]")
+      ->type_name("PATH");
+  command->add_flag("--light", options->light, "A light background");
+  command->footer(kExamples);
+  command->callback([options, &action] { action = [options] { return renderChosen(*options); }; });
+}
+
+}  // namespace tyg

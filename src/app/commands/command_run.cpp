@@ -1,0 +1,242 @@
+// `tyg run`: simulate a scene without a window, and report.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+#include "app/command_line.h"
+#include "app/commands/commands.h"
+#include "app/commands/option_checks.h"
+#include "app/output/progress.h"
+#include "app/output/sample_file.h"
+#include "app/reports/run_report.h"
+#include "study/limits/stability.h"
+#include "tyg/methods.h"
+#include "util/interrupt.h"
+#include "util/text.h"
+
+namespace tyg {
+namespace {
+
+struct RunOptions {
+  SceneOptions scene;
+  int samples = 20;
+  std::optional<std::string> out, replay;
+  bool ledger = false, keepGoing = false, json = false, verbose = false;
+};
+
+constexpr const char* kExamples =
+    "--out: the K sample times are stop times, duration/K apart and met exactly, so steps may be cut to end on them; "
+    "the\n"
+    "header is t,particle,x,y,z,vx,vy,vz (s, m, m/s), 17 significant digits. --json keys: dt_asked and dt in s (dt is "
+    "the\n"
+    "largest step taken), seconds of stepping alone, energies in J, stable_dt in s; numbers that are not finite are "
+    "null.\n\n"
+    "Examples:\n"
+    "  tyg run curtain\n"
+    "  tyg run flag --integrator leapfrog --dt 0.001 --ledger\n"
+    "  tyg run poke --samples 100 --out poke.csv\n"
+    "  tyg run curtain --sheet 200x200 --precision float --threads 2 --json\n"
+    "  tyg run --replay clicks.csv             what `tyg view curtain --record clicks.csv` saw, to the same bits\n\n"
+    "Exit codes: 0 done; 1 the run became unstable, or a replay ended in other bits; 2 wrong input or usage; 130 "
+    "Ctrl-C.\n"
+    "After 1 and 130 no CSV file is written.";
+
+PushLog readLog(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (!file || !(text << file.rdbuf())) {
+    throw InputError("--replay: cannot read '" + path + "'; allowed is a file written by tyg view --record");
+  }
+  return parsePushLog(text.str(), path);
+}
+
+template <class T>
+void mustAgree(const char* option, const std::optional<T>& given, const T& logged, const std::string& loggedText) {
+  if (!given || *given == logged) return;
+  throw InputError(std::string(option) + ": the log given to --replay was made with " + loggedText +
+                   "; allowed is that, or to leave the option out");
+}
+
+/// The scene that a log carries, or else the one that it names.
+Scene loggedScene(const PushLog& log) {
+  if (log.sceneText.empty()) return loadScene(log.scene, methodNames());
+  Scene scene = parseScene(log.sceneText, "the scene in the log", methodNames());
+  scene.name = log.scene;
+  return scene;
+}
+
+/// Whether two scenes differ in nothing that the log does not say itself.
+bool sameCloth(Scene scene, const Scene& other) {
+  scene.name = other.name, scene.title = other.title, scene.shows = other.shows;
+  scene.integrator = other.integrator, scene.dt = other.dt, scene.precision = other.precision;
+  scene.tolerance = other.tolerance, scene.duration = other.duration;
+  return scene == other;
+}
+
+/// The scene as it was when the log was made. Throws InputError where scene and log cannot belong together.
+Scene fitted(Scene scene, const SceneOptions& options, const PushLog& log) {
+  const auto grid = [](int columns, int rows) { return std::to_string(columns) + "x" + std::to_string(rows); };
+  if (scene.columns != log.columns || scene.rows != log.rows) {
+    const std::string logged = grid(log.columns, log.rows);
+    throw InputError("--replay: found a sheet of " + grid(scene.columns, scene.rows) + " particles in scene '" +
+                     scene.name + "', allowed is the log's: " + logged + " of scene '" + log.scene +
+                     "' (try that scene, or --sheet " + logged + ")");
+  }
+  if (!options.scene.empty() && !log.sceneText.empty() && !sameCloth(scene, loggedScene(log))) {
+    std::cerr << "tyg run: the log was made on another cloth than '" << scene.name
+              << "' is now; without SCENE its own is used" << std::endl;
+  }
+  const std::string precision(nameOf(log.precision));
+  mustAgree("--precision", options.precision, precision, precision);
+  mustAgree("--integrator", options.integrator, log.integrator, log.integrator);
+  mustAgree("--dt", options.dt, log.dt, formatted("%g s", log.dt));
+  if (!log.sceneText.empty()) {
+    const double tolerance = loggedScene(log).tolerance;
+    mustAgree("--tolerance", options.tolerance, tolerance, formatted("%g m", tolerance));
+    scene.tolerance = tolerance;
+  }
+  scene.precision = log.precision;
+  scene.integrator = findMethod(log.integrator).name;
+  scene.dt = log.dt;
+  return scene;
+}
+
+/// A simulation being run, and the clock that runs only while it steps.
+class Run {
+ public:
+  Run(const Scene& scene, const RunOptions& options)
+      : options_(options),
+        simulation_(scene, findMethod(scene.integrator), settingsOf(options)),
+        progress_("tyg run " + scene.name) {
+    simulation_.observe([this] {
+      progress_.show(fractionDone());
+      return !interrupted();
+    });
+  }
+
+  void toTheEnd(SampleFile* file) {
+    const double duration = simulation_.scene().duration;
+    const int stops = file == nullptr ? 1 : options_.samples;
+    for (int k = 1; k <= stops && goesOn(); ++k) {
+      const double stop = k == stops ? duration : duration * k / stops;
+      timed([&] { simulation_.advanceTo(stop); });
+      if (file != nullptr && goesOn()) file->add(simulation_);
+    }
+    simulation_.check();
+    progress_.finish();
+  }
+
+  void replay(const PushLog& log) {
+    replayedTicks_ = log.ticks;
+    simulation_.replay(log, methods());
+    for (std::int64_t tick = 0; tick < log.ticks && goesOn(); ++tick) timed([&] { simulation_.tick(); });
+    simulation_.check();
+    progress_.finish();
+  }
+
+  [[nodiscard]] Simulation& simulation() { return simulation_; }
+  [[nodiscard]] bool failed() const { return simulation_.status() != Status::Ok && !options_.keepGoing; }
+  [[nodiscard]] double seconds() const { return seconds_; }
+
+ private:
+  static Settings settingsOf(const RunOptions& options) {
+    return {.threads = options.scene.threads.value_or(0), .ledger = options.ledger, .keepGoing = options.keepGoing};
+  }
+  [[nodiscard]] double fractionDone() const {
+    if (replayedTicks_ > 0) return double(simulation_.ticks()) / double(replayedTicks_);
+    return simulation_.time() / simulation_.scene().duration;
+  }
+  [[nodiscard]] bool goesOn() const { return !failed() && !interrupted(); }
+
+  template <class Work>
+  void timed(const Work& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  const RunOptions& options_;
+  InterruptWatch watch_;
+  Simulation simulation_;
+  double seconds_ = 0;
+  std::int64_t replayedTicks_ = 0;  // 0: the scene's duration is what there is to do
+  Progress progress_;
+};
+
+/// Says how the run ended, on standard output for the result and standard error for what went wrong.
+int report(Run& run, const RunOptions& options, const PushLog* log) {
+  Simulation& simulation = run.simulation();
+  const FinishedRun finished{simulation, simulation.ledger(), options.ledger, run.seconds(),
+                             restLatticeLimit(simulation.scene(), simulation.method())};
+  std::cout << (options.json ? runJson(finished) + "\n" : runSummary(finished)) << std::flush;
+  if (run.failed()) {
+    std::cerr << "tyg run: " << failureAdvice(finished) << std::endl;
+    return kSimulationFailed;
+  }
+  if (log != nullptr && !log->hash.empty() && log->hash != hashText(simulation)) {
+    std::cerr << "tyg run: the replay ended in other bits than the log: found hash " << hashText(simulation)
+              << ", the log says " << log->hash << std::endl;
+    return kSimulationFailed;
+  }
+  return kDone;
+}
+
+int run(const RunOptions& options) {
+  std::optional<PushLog> log;
+  if (options.replay) log = readLog(*options.replay);
+  const bool fromLog = options.scene.scene.empty();  // there is one then
+  Scene scene = fromLog ? overridden(loggedScene(*log), options.scene) : chosenScene(options.scene);
+  if (log) scene = fitted(std::move(scene), options.scene, *log);
+  std::optional<SampleFile> file;
+  if (options.out) file.emplace(*options.out);
+
+  auto run = std::make_unique<Run>(scene, options);
+  if (options.verbose) std::cerr << runPlan(run->simulation());
+  if (log) {
+    run->replay(*log);
+  } else {
+    run->toTheEnd(file ? &*file : nullptr);
+  }
+  if (interrupted()) {
+    std::cerr << "tyg run: interrupted at t = " << run->simulation().time() << " s; nothing was written" << std::endl;
+    return kInterrupted;
+  }
+  if (file && !run->failed()) file->keep();
+  return report(*run, options, log ? &*log : nullptr);
+}
+
+}  // namespace
+
+void addRunCommand(CLI::App& app, Action& action) {
+  CLI::App* command =
+      app.add_subcommand("run", "Simulate a scene without a window, and report energies, steps and time");
+  const auto options = std::make_shared<RunOptions>();
+  addSceneOptions(*command, options->scene);
+  options->scene.scene.clear();
+  CLI::Option* scene = command->get_option("SCENE")->required(false);
+  constexpr int kMostSamples = 1000000;
+  auto* samples = command->add_option("--samples", options->samples,
+                                      "Sample times after t = 0 for --out, equally spaced [20]; without --out unused");
+  samples->type_name("K")->check(
+      [](const std::string& text) { return checkCount(text, kMostSamples, "sample times"); });
+  auto* out = command->add_option("--out", options->out, "Write every particle at the sample times to this CSV file");
+  out->type_name("FILE.csv");
+  command->add_flag("--ledger", options->ledger, "Follow the dissipated energy too, and report the ledger's drift");
+  command->add_flag("--keep-going", options->keepGoing, "Run on past the instability alarm and leave with 0");
+  auto* replay = command->add_option("--replay", options->replay,
+                                     "Do again what tyg view --record logged, with the log's method, step, "
+                                     "tolerance and precision; without SCENE on its own scene");
+  replay->type_name("LOG")->excludes(out)->excludes(samples)->excludes(command->get_option("--duration"));
+  command->add_flag("--json", options->json, "Print one JSON object instead of the summary, after a failure too");
+  command->add_flag("--verbose", options->verbose, "First say on standard error what is simulated, and how");
+  command->footer(kExamples);
+  command->callback([options, scene, replay, &action] {
+    if (scene->count() == 0 && replay->count() == 0) throw CLI::RequiredError(scene->get_name(true));
+    action = [options] { return run(*options); };
+  });
+}
+
+}  // namespace tyg

@@ -1,0 +1,79 @@
+// `tyg stability`: how large a step may be, predicted, certified and measured, method by method.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "app/command_line.h"
+#include "app/commands/commands.h"
+#include "app/commands/option_checks.h"
+#include "app/output/drawn_files.h"
+#include "app/output/progress.h"
+#include "study/charts/stability_chart.h"
+#include "study/limits/stability_study.h"
+#include "tyg/methods.h"
+#include "util/interrupt.h"
+#include "util/whole_file.h"
+#include "util/workers.h"
+
+namespace tyg {
+namespace {
+
+struct StabilityOptions {
+  SceneOptions scene;
+  std::string methods, out = "out";
+};
+
+constexpr const char* kExamples =
+    "Limits are measured by bisection on the energy alarm: 2000 steps of tiny motions around rest, and the scene's "
+    "own\n"
+    "motion; each with the scene's damping and without. The chart draws every method's stability region with the "
+    "scene's\n"
+    "own modes in it at the step in question (--dt).\n\n"
+    "Examples:\n"
+    "  tyg stability curtain                               all methods, less than a minute\n"
+    "  tyg stability wet --methods leapfrog,rk4,rkc2\n"
+    "  tyg stability curtain --sheet 40x40 --dt 0.001 --out limits\n\n"
+    "Exit codes: 0 done; 2 wrong input or usage; 130 Ctrl-C (nothing is written).";
+
+int stability(const StabilityOptions& options) {
+  const Scene scene = chosenScene(options.scene);
+  StabilityPlan plan;
+  plan.methods = chosenMethods(options.methods, options.scene);
+  plan.threads = options.scene.threads.value_or(defaultThreads(scene.columns * scene.rows));
+  const std::vector<std::string> files{"stability.csv", "stability.gp", "stability.svg", "stability.png"};
+  const std::filesystem::path folder = preparedFolder(options.out, files);
+
+  const InterruptWatch watch;
+  auto progress = std::make_unique<Progress>("tyg stability " + scene.name);
+  plan.observer = [&](double fraction) {
+    progress->show(fraction);
+    return !interrupted();
+  };
+  const StabilityStudy study = studyStability(scene, plan);
+  progress.reset();  // wipes its line
+  if (study.stopped) {
+    std::cerr << "tyg stability: interrupted; nothing was written" << std::endl;
+    return kInterrupted;
+  }
+  writeWholeFile(folder / "stability.csv", stabilityCsv(study));
+  writeWholeFile(folder / "stability.gp", stabilityScript(study));
+  std::cout << stabilityTable(study) << "\n" << std::flush;
+  return drawFiles("tyg stability", folder, "stability", "stability.csv");
+}
+
+}  // namespace
+
+void addStabilityCommand(CLI::App& app, Action& action) {
+  CLI::App* command =
+      app.add_subcommand("stability", "Step limits: predicted, certified for any deformation, and measured");
+  const auto options = std::make_shared<StabilityOptions>();
+  addSceneOptions(*command, options->scene);
+  command->add_option("--methods", options->methods, "Which methods (tyg list shows them) [all]")
+      ->type_name("NAME,...");
+  command->add_option("--out", options->out, "Folder for stability.csv, .gp, .svg and .png [out]")->type_name("DIR");
+  command->footer(kExamples);
+  command->callback([options, &action] { action = [options] { return stability(*options); }; });
+}
+
+}  // namespace tyg

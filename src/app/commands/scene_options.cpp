@@ -1,0 +1,102 @@
+// The options that every simulating command shares: which scene, and what the command line changes in it.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "app/commands/commands.h"
+#include "app/commands/option_checks.h"
+#include "tyg/methods.h"
+#include "util/text.h"
+
+namespace tyg {
+namespace {
+
+constexpr int kMostParticlesAlongASide = 4096;
+constexpr int kMostThreads = 1024;
+
+void addNumbers(CLI::App& command, SceneOptions& options) {
+  const auto seconds = [](const std::string& text) { return checkPositive(text, "seconds, such as 0.002"); };
+  const auto metres = [](const std::string& text) { return checkPositive(text, "metres, such as 1e-4"); };
+  const auto threads = [](const std::string& text) { return checkCount(text, kMostThreads, "threads"); };
+  command.add_option("--dt", options.dt, "Time step of a fixed-step method, in s [the scene's]")
+      ->check(seconds)
+      ->type_name("S")
+      ->group("Scene");
+  command.add_option("--tolerance", options.tolerance, "Error that an adaptive method aims at, in m [the scene's]")
+      ->check(metres)
+      ->type_name("M")
+      ->group("Scene");
+  command.add_option("--duration", options.duration, "Simulated time, in s [the scene's]")
+      ->check(seconds)
+      ->type_name("S")
+      ->group("Scene");
+  command
+      .add_option(
+          "--threads", options.threads,
+          "Threads to share the rows out over; more than there are cores is allowed, and the result is the same "
+          "[1 for small sheets, else every core]")
+      ->check(threads)
+      ->type_name("N")
+      ->group("Scene");
+}
+
+}  // namespace
+
+void addSceneOptions(CLI::App& command, SceneOptions& options, bool sceneRequired) {
+  auto* scene = command.add_option("SCENE", options.scene,
+                                   std::string("A built-in scene (tyg list shows them) or the path of a .toml file") +
+                                       (sceneRequired ? "" : " [" + options.scene + "]"));
+  scene->required(sceneRequired)->type_name("");
+  command.add_option("--integrator", options.integrator, "Method: " + joined(methodNames()) + " [the scene's]")
+      ->type_name("NAME")
+      ->group("Scene");
+  addNumbers(command, options);
+  command
+      .add_option("--precision", options.precision,
+                  "Numbers of 32 bits (float: faster) or of 64 (double: exacter) [the scene's]")
+      ->check([](const std::string& text) {
+        return checkOneOf(text, {"float", "double"});
+      })
+      ->type_name("float|double")
+      ->group("Scene");
+  const auto sheet = [](const std::string& text) {
+    return checkPair(text, kMostParticlesAlongASide, "columns x rows, such as 40x30");
+  };
+  command
+      .add_option(
+          "--sheet", options.sheet,
+          "The same cloth on another grid of columns x rows; size, mass and drag of the whole stay [the scene's]")
+      ->check(sheet)
+      ->type_name("CxR")
+      ->group("Scene");
+}
+
+Scene chosenScene(const SceneOptions& options) { return overridden(loadScene(options.scene, methodNames()), options); }
+
+Scene overridden(Scene scene, const SceneOptions& options) {
+  if (options.sheet) {
+    const auto [columns, rows] = parsePair(*options.sheet);
+    scene = withSheet(std::move(scene), columns, rows);
+  }
+  if (options.integrator) scene.integrator = findMethod(*options.integrator).name;
+  if (options.precision) scene.precision = *options.precision == "float" ? Precision::Float : Precision::Double;
+  scene.dt = options.dt.value_or(scene.dt);
+  scene.tolerance = options.tolerance.value_or(scene.tolerance);
+  scene.duration = options.duration.value_or(scene.duration);
+  return scene;
+}
+
+std::vector<const Method*> chosenMethods(const std::string& list, const SceneOptions& options,
+                                         const std::string& usual) {
+  const std::string names = list.empty() ? options.integrator.value_or(usual) : list;
+  std::vector<const Method*> chosen;
+  for (const std::string& name : splitList(names)) {
+    const Method* method = &findMethod(name, "--methods");
+    if (std::ranges::find(chosen, method) == chosen.end()) chosen.push_back(method);
+  }
+  if (!chosen.empty()) return chosen;
+  if (!names.empty()) throw InputError("--methods: found no name, allowed are methods' names with commas between");
+  for (const Method& method : methods()) chosen.push_back(&method);
+  return chosen;
+}
+
+}  // namespace tyg

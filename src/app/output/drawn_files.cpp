@@ -1,0 +1,54 @@
+// Checking folders, running gnuplot.
+#include "app/output/drawn_files.h"
+
+#include <iostream>
+
+#include "app/command_line.h"
+#include "study/charts/gnuplot.h"
+#include "tyg/scene.h"
+#include "util/interrupt.h"
+#include "util/whole_file.h"
+
+namespace tyg {
+
+namespace fs = std::filesystem;
+
+fs::path preparedFolder(const std::string& name, std::span<const std::string> files) {
+  std::error_code error;
+  fs::create_directories(name, error);
+  if (!fs::is_directory(name)) {
+    throw InputError("--out: found '" + name + "', allowed is a folder that exists or can be made (" + error.message() +
+                     ")");
+  }
+  for (const std::string& file : files) checkWritable(fs::path(name) / file);
+  return name;
+}
+
+int drawFiles(const std::string& command, const fs::path& folder, const std::string& stem, const std::string& rows) {
+  const std::string script = stem + ".gp";
+  WholeFile svg(folder / (stem + ".svg")), png(folder / (stem + ".png"));
+  const GnuplotOutcome outcome = runGnuplot(folder, script,
+                                            {"svg=" + gnuplotQuoted(svg.temporary().filename().string()),
+                                             "png=" + gnuplotQuoted(png.temporary().filename().string())});
+  if (interrupted()) return kInterrupted;
+  if (outcome.kind == GnuplotOutcome::Kind::Missing) {
+    std::cout << "gnuplot is not installed: " << (folder / rows).string() << " and " << (folder / script).string()
+              << " are written;\nwith it, `cd " << folder.string() << " && gnuplot " << script << "` draws " << stem
+              << ".svg and " << stem << ".png" << std::endl;
+    return kDone;
+  }
+  if (outcome.kind == GnuplotOutcome::Kind::Failed) {
+    std::cerr << command << ": gnuplot could not draw " << (folder / script).string() << ":\n"
+              << outcome.message << "allowed is a gnuplot 5 with the terminals svg and pngcairo" << std::endl;
+    return kWrongInput;
+  }
+  svg.keep();
+  png.keep();
+  for (const std::string& file : {rows, script, stem + ".svg", stem + ".png"}) {
+    std::cout << (folder / file).string() << "\n";
+  }
+  std::cout << std::flush;
+  return kDone;
+}
+
+}  // namespace tyg

@@ -1,0 +1,246 @@
+// Rendering without a display; see render.h. A sequence is simulated twice: the first time tells how far the cloth
+// moves (and whether it stays stable at all), so that the view can stand still without losing it.
+#include "app/output/render.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <limits>
+#include <optional>
+
+#include "app/command_line.h"
+#include "app/output/progress.h"
+#include "app/reports/run_report.h"
+#include "gfx/contexts/offscreen.h"
+#include "gfx/movie.h"
+#include "study/limits/stability.h"
+#include "study/motion/telling_moment.h"
+#include "tyg/methods.h"
+#include "tyg/simulation.h"
+#include "util/file_names.h"
+#include "util/interrupt.h"
+#include "util/whole_file.h"
+
+namespace tyg {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kFramingPoints = 2000;  // particles per moment that the view is fitted to
+
+enum class Form { Picture, Movie, Folder };
+Form formOf(const fs::path& out) {
+  const std::string ending = endingOf(out);
+  if (!ending.empty() && ending != ".png" && ending != ".mp4" && ending != ".gif" && !fs::is_directory(out)) {
+    throw InputError("--out: found '" + out.string() + "', allowed are FILE.png, FILE.mp4, FILE.gif and a folder");
+  }
+  return ending == ".png" ? Form::Picture : ending == ".mp4" || ending == ".gif" ? Form::Movie : Form::Folder;
+}
+
+/// A simulation that goes from moment to moment, and what was seen of it.
+class Motion3d {
+ public:
+  Motion3d(const Scene& scene, int threads, const std::function<void(double)>& progress)
+      : simulation_(scene, findMethod(scene.integrator), Settings{.threads = threads}),
+        xyz_(3 * static_cast<std::size_t>(simulation_.sheet().count())) {
+    simulation_.observe([this, progress] {
+      progress(simulation_.time());
+      return !interrupted();
+    });
+    simulation_.copyPositions(xyz_);
+  }
+
+  /// False when the cloth is lost or somebody said stop.
+  bool reach(double time) {
+    if (time > simulation_.time()) simulation_.advanceTo(time);
+    simulation_.copyPositions(xyz_);
+    return !interrupted() && simulation_.check() == Status::Ok;
+  }
+
+  [[nodiscard]] std::span<const float> xyz() const { return xyz_; }
+  [[nodiscard]] Simulation& simulation() { return simulation_; }
+
+ private:
+  Simulation simulation_;
+  std::vector<float> xyz_;
+};
+
+/// Gathers what a still view has to hold.
+class Framing {
+ public:
+  void include(std::span<const float> xyz) {
+    const Box here = boxAround(xyz);
+    all_ = all_ ? all_->with(here) : here;
+    const std::size_t step = 3 * std::max<std::size_t>(xyz.size() / 3 / kFramingPoints, 1);
+    for (std::size_t i = 0; i < xyz.size(); i += step) points_.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
+  }
+  [[nodiscard]] Camera camera(glm::ivec2 size) const {
+    Camera camera;
+    camera.watch(all_.value_or(Box{}));
+    camera.frame(points_, static_cast<float>(size.x) / static_cast<float>(size.y));
+    return camera;
+  }
+
+ private:
+  std::optional<Box> all_;
+  std::vector<glm::vec3> points_;
+};
+
+/// Draws moments of one sheet off-screen.
+class Studio {
+ public:
+  Studio(const Sheet& sheet, const RenderRequest& request)
+      : request_(request), offscreen_(makeOffscreen(request.size.x, request.size.y)), renderer_(sheet) {}
+
+  const Picture& draw(Motion3d& motion, Camera& camera) {
+    camera.watch(boxAround(motion.xyz()));
+    renderer_.draw(motion.xyz(), camera, request_.size, request_.draw, pushNow(motion.simulation()));
+    offscreen_->readPixels(picture_);
+    return picture_;
+  }
+
+ private:
+  /// The scene's push that acts at this moment; its end counts, or a picture of the default moment would not show it.
+  static std::optional<ShownPush> pushNow(const Simulation& simulation) {
+    for (const Push& push : simulation.scene().pushes) {
+      if (simulation.time() >= push.at && simulation.time() <= push.at + push.duration) {
+        return ShownPush{particleAt(simulation.sheet(), push.particle), push.force};
+      }
+    }
+    return std::nullopt;
+  }
+
+  const RenderRequest& request_;
+  std::unique_ptr<Offscreen> offscreen_;  // before the renderer: its objects live in this context
+  SheetRenderer renderer_;
+  Picture picture_;
+};
+
+/// Machines without any OpenGL are told so as for every output that cannot be made.
+Studio openStudio(const Sheet& sheet, const RenderRequest& request) {
+  try {
+    return {sheet, request};
+  } catch (const std::runtime_error& error) {
+    throw InputError(error.what());
+  }
+}
+
+fs::path frameFile(const RenderRequest& request, std::size_t frame) {
+  std::array<char, 40> name{};
+  std::snprintf(name.data(), name.size(), "frame_%05zu.png", frame);
+  return request.out / name.data();
+}
+
+/// Nothing is computed for an output that cannot be written.
+void checkOutput(const RenderRequest& request) {
+  const Form form = formOf(request.out);
+  const std::string found = "--out: found '" + request.out.string() + "'";
+  if (request.times.size() == 1 && form != Form::Picture) {
+    throw InputError(found + ", allowed for one picture is FILE.png");
+  }
+  if (request.times.size() > 1 && form == Form::Picture) {
+    throw InputError(found + ", allowed for several pictures are a folder, FILE.mp4 or FILE.gif");
+  }
+  if (form == Form::Movie && !haveFfmpeg()) {
+    throw InputError(found +
+                     ", but there is no ffmpeg to make a movie; allowed without it is a folder for PNG pictures");
+  }
+  if (form != Form::Folder) return checkWritable(request.out);
+  std::error_code error;
+  fs::create_directories(request.out, error);
+  if (!fs::is_directory(request.out)) {
+    throw InputError(found + ", allowed is a folder that exists or can be made (" + error.message() + ")");
+  }
+  checkWritable(frameFile(request, 0));
+}
+
+int stopped(Simulation& simulation, Progress& progress) {
+  progress.finish();
+  if (interrupted()) {
+    std::cerr << "tyg render: interrupted" << std::endl;
+    return kInterrupted;
+  }
+  const FinishedRun finished{simulation, simulation.ledger(), false, 0,
+                             restLatticeLimit(simulation.scene(), simulation.method())};
+  std::cerr << "tyg render: " << failureAdvice(finished) << std::endl;
+  return kSimulationFailed;
+}
+
+int renderPicture(const Scene& scene, const RenderRequest& request) {
+  const double time = request.times.front();
+  Progress progress("tyg render " + scene.name);
+  Motion3d motion(scene, request.threads, [&](double now) { progress.show(now / std::max(time, scene.dt)); });
+  Studio studio = openStudio(motion.simulation().sheet(), request);
+  if (!motion.reach(time)) return stopped(motion.simulation(), progress);
+  Framing framing;
+  framing.include(motion.xyz());
+  Camera camera = framing.camera(request.size);
+  writePng(studio.draw(motion, camera), request.out);
+  return kDone;
+}
+
+int renderSequence(const Scene& scene, const RenderRequest& request) {
+  const double end = request.times.back();
+  Progress progress("tyg render " + scene.name);
+  constexpr double kFirstShare = 0.2;  // of the time that both passes take: drawing is the slower part
+  Motion3d scout(scene, request.threads, [&](double now) { progress.show(kFirstShare * now / end); });
+  Studio studio = openStudio(scout.simulation().sheet(), request);
+  Framing framing;
+  for (const double time : request.times) {
+    if (!scout.reach(time)) return stopped(scout.simulation(), progress);
+    framing.include(scout.xyz());
+  }
+  Camera camera = framing.camera(request.size);
+
+  const bool isMovie = formOf(request.out) == Form::Movie;
+  std::optional<Movie> movie;
+  if (isMovie) movie.emplace(request.out, request.size.x, request.size.y, request.fps);
+  Motion3d motion(scene, request.threads, [](double) {});
+  for (std::size_t frame = 0; frame < request.times.size(); ++frame) {
+    if (!motion.reach(request.times[frame])) return stopped(motion.simulation(), progress);
+    const Picture& picture = studio.draw(motion, camera);
+    isMovie ? movie->add(picture) : writePng(picture, frameFile(request, frame));
+    progress.show(kFirstShare + (1 - kFirstShare) * double(frame + 1) / double(request.times.size()));
+  }
+  if (movie) movie->finish();
+  return kDone;
+}
+
+}  // namespace
+
+std::vector<double> frameTimes(double from, double to, double fps) {
+  std::vector<double> times;
+  // Each from its number, so that rounding does not add up; the slack keeps a last frame that falls on the end.
+  for (int frame = 0; from + frame / fps <= to + 1e-9; ++frame) times.push_back(from + frame / fps);
+  return times;
+}
+
+int render(const Scene& scene, const RenderRequest& request) {
+  RenderRequest asked = request;
+  if (formOf(asked.out) == Form::Movie) asked.size += glm::ivec2(asked.size.x % 2, asked.size.y % 2);
+  checkOutput(asked);
+  const InterruptWatch watch;
+  const int code = asked.times.size() == 1 ? renderPicture(scene, asked) : renderSequence(scene, asked);
+  if (code == kDone) {
+    std::cout << asked.out.string();
+    if (formOf(asked.out) == Form::Folder) std::cout << ": " << asked.times.size() << " pictures";
+    std::cout << std::endl;
+  }
+  return code;
+}
+
+int renderInstead(const Scene& scene, const RenderRequest& like) {
+  RenderRequest picture = like;
+  picture.times = {tellingMoment(scene)};
+  picture.out = freeName("", fileStem(scene.name), ".png");
+  const int code = render(scene, picture);
+  constexpr double kLongest = 60;  // s of movie
+  RenderRequest movie = like;
+  movie.times = frameTimes(0, std::min(scene.duration, kLongest), movie.fps);
+  if (code != kDone || movie.times.size() < 2 || !haveFfmpeg()) return code;
+  movie.out = freeName("", fileStem(scene.name), ".mp4");
+  return render(scene, movie);
+}
+
+}  // namespace tyg

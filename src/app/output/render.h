@@ -1,0 +1,34 @@
+// Pictures and movies of a scene without a display.
+// Must not know: options of the command line, windows.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "gfx/passes/sheet_renderer.h"
+#include "tyg/scene.h"
+
+namespace tyg {
+
+/// What to draw, and where to put it.
+struct RenderRequest {
+  std::vector<double> times;   ///< s, >= 0, ascending, at least one
+  double fps = 30;             ///< of a movie, > 0
+  glm::ivec2 size{1280, 720};  ///< pixels; a movie's are rounded up to even numbers
+  std::filesystem::path out;   ///< one time: FILE.png; several: FILE.mp4, FILE.gif, else a folder for PNGs
+  DrawOptions draw;
+  int threads = 0;  ///< as Settings::threads
+};
+
+/// Frames of `fps` per second from `from` to `to`, both included (s).
+std::vector<double> frameTimes(double from, double to, double fps);
+
+/// Checks the output, simulates, draws, writes, and names the files on standard output. One view that holds the whole
+/// motion. Returns the program's exit code; throws InputError where the output cannot be written or nothing can draw.
+int render(const Scene& scene, const RenderRequest& request);
+
+/// What `tyg view` does without a display: a picture, and a movie where ffmpeg is there and the run is long enough for
+/// one, in the current folder under names that no file has yet. `like`: size and threads.
+int renderInstead(const Scene& scene, const RenderRequest& like);
+
+}  // namespace tyg

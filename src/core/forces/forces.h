@@ -1,0 +1,108 @@
+// Forces on the particles of a sheet: springs, gravity, drag and pushes, from positions and velocities.
+// Must not know: time, methods. What a scene does not model costs nothing here.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/forces/state.h"
+
+namespace tyg {
+
+class Workers;
+
+/// Energies stored in a state, J, and the largest spring elongation as a fraction of its rest length.
+struct StoredEnergy {
+  double kinetic = 0;
+  double elastic = 0;
+  double gravitational = 0;  ///< zero where every particle is at height zero
+  double maxStretch = 0;     ///< >= 0
+};
+
+/// The forces of a scene in newtons. Pinned particles feel exactly 0.
+template <class T>
+class Forces {
+ public:
+  /// `workers` must outlive this object; rows are shared out over them, and the result does not depend on how many.
+  Forces(const Scene& scene, const Sheet& sheet, Workers& workers);
+  ~Forces();
+  Forces(const Forces&) = delete;
+  Forces& operator=(const Forces&) = delete;
+
+  /// Force on every particle at these positions and velocities. Counts as one force evaluation.
+  void evaluate(const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force);
+
+  /// Whether the fused updates below may be used now: where a push acts or the ledger follows the dissipation, forces
+  /// have to be seen one evaluation at a time.
+  [[nodiscard]] bool canAdvance() const;
+  static constexpr int kMostSteps = 64;  ///< of one call
+  /// `count` steps v += h/m F(x, v); x += h v, with the same bits as evaluating and updating step by step.
+  void kickAndDrift(State<T>& state, double h, int count);
+  /// `count` steps v += h/2m F; v += h/2m F; x += h v; predicted = v + h/2m F with F(x, predicted): leapfrog with the
+  /// velocity at half steps. The same bits as step by step.
+  void leapfrog(State<T>& state, VectorField<T>& predicted, double h, int count);
+
+  /// Gravity, drag and pushes alone, for methods that treat springs in a way of their own. No force evaluation.
+  void evaluateWithoutSprings(const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force);
+  /// Works out the power of this state for the ledger, where it is wanted, as an evaluation would.
+  void measurePower(const VectorField<T>& position, const VectorField<T>& velocity);
+
+  /// 1 for a particle that moves, 0 for a pinned one; by place in a plane.
+  [[nodiscard]] const T* freeMask() const;
+  /// Newtons to metres per second squared.
+  [[nodiscard]] double inverseMass() const { return inverseMass_; }
+  [[nodiscard]] const Layout& layout() const { return layout_; }
+  [[nodiscard]] Workers& workers() const { return workers_; }
+  [[nodiscard]] std::int64_t evaluations() const { return account_.evaluations; }
+
+  /// Constant force on one particle (N), added to any that is there. Ignored by a pinned particle.
+  void addPush(int particle, const Vec3& force);
+  void clearPushes() { pushes_.clear(); }
+
+  /// Energies of this state. Sums run row by row in one fixed order.
+  [[nodiscard]] StoredEnergy energy(const State<T>& state) const;
+  /// W that damping and drag take from the cloth at these positions and velocities, >= 0. No force evaluation.
+  [[nodiscard]] double lossPower(const VectorField<T>& position, const VectorField<T>& velocity) const;
+
+  /// With `on`, every evaluation also works out the power that damping and drag take from the cloth.
+  void trackDissipation(bool on) { trackDissipation_ = on; }
+  [[nodiscard]] bool tracksDissipation() const { return trackDissipation_; }
+  /// The last evaluation counts for `seconds` in the integral of the dissipated power. Methods call it with their own
+  /// quadrature weights, so that the ledger closes to the method's own order.
+  void dissipate(double seconds) { addDissipated(seconds * power()); }
+  /// The same in two parts, for methods that may yet reject a step.
+  [[nodiscard]] double power() const { return account_.power; }  ///< W, at the last evaluation
+  void addDissipated(double joules) { account_.dissipated += joules; }
+  [[nodiscard]] double dissipated() const { return account_.dissipated; }  ///< J, so far
+
+  /// What is counted along the way, to be saved and restored together with a state.
+  struct Account {
+    std::int64_t evaluations = 0;
+    double power = 0;       ///< W, at the last evaluation
+    double dissipated = 0;  ///< J
+  };
+  [[nodiscard]] const Account& account() const { return account_; }
+  void setAccount(const Account& account) { account_ = account; }
+
+ private:
+  struct Kernel;
+  template <class Loop>
+  void runBands(Loop stage, const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force);
+  template <class Task>
+  void advance(Task task, State<T>& state, double h, int count);
+  struct PushedParticle {
+    std::ptrdiff_t at;
+    Vec3 force;
+  };
+
+  Layout layout_;
+  Workers& workers_;
+  double inverseMass_;
+  std::unique_ptr<Kernel> kernel_;
+  std::vector<PushedParticle> pushes_;
+  bool trackDissipation_ = false;
+  Account account_;
+};
+
+}  // namespace tyg

@@ -1,0 +1,174 @@
+// Energies and damping power of one row, summed in one fixed order whatever the vector width: eight running sums,
+// particle by particle, added pairwise at the end. In double also for float states: sums of many small terms decide the
+// alarm. Included by row_kernel_level.cpp alone; everything here is private to one vector level.
+#pragma once
+
+#include "core/forces/row_forces.h"
+
+namespace tyg {
+namespace {
+
+constexpr int kSums = 8;
+constexpr int kOfPart = int(kLanes<double>), kParts = kSums / kOfPart;
+
+/// Eight numbers in as many registers as they need.
+struct Eight {
+  Lanes<double> part[kParts] = {};
+
+  TYG_INLINE double operator[](int k) const { return part[k / kOfPart][k % kOfPart]; }
+  /// 0 for all but the first `count`, of which there are 0 to 8.
+  TYG_INLINE void keepFirst(int count) {
+    for (int k = count; k < kSums; ++k) part[k / kOfPart][k % kOfPart] = 0;
+  }
+};
+template <class Operation>
+TYG_INLINE Eight partByPart(const Operation& operation) {
+  Eight result;
+  for (int k = 0; k < kParts; ++k) result.part[k] = operation(k);
+  return result;
+}
+TYG_INLINE Eight operator+(const Eight& a, const Eight& b) {
+  return partByPart([&](int k) { return a.part[k] + b.part[k]; });
+}
+TYG_INLINE Eight operator-(const Eight& a, const Eight& b) {
+  return partByPart([&](int k) { return a.part[k] - b.part[k]; });
+}
+TYG_INLINE Eight operator*(const Eight& a, const Eight& b) {
+  return partByPart([&](int k) { return a.part[k] * b.part[k]; });
+}
+TYG_INLINE Eight operator/(const Eight& a, const Eight& b) {
+  return partByPart([&](int k) { return a.part[k] / b.part[k]; });
+}
+TYG_INLINE Eight operator*(double a, const Eight& b) {
+  return partByPart([&](int k) { return a * b.part[k]; });
+}
+TYG_INLINE Eight larger(const Eight& a, const Eight& b) {
+  return partByPart([&](int k) { return a.part[k] > b.part[k] ? a.part[k] : b.part[k]; });
+}
+TYG_INLINE Eight squareRoots(const Eight& a) {
+  return partByPart([&](int k) { return squareRoots<double>(a.part[k]); });
+}
+TYG_INLINE double addPairwise(const Eight& s) {
+  return ((s[0] + s[1]) + (s[2] + s[3])) + ((s[4] + s[5]) + (s[6] + s[7]));
+}
+template <class T>
+TYG_INLINE Eight eightOf(const T* from) {
+  using Numbers [[gnu::vector_size(kOfPart * sizeof(T))]] = T;
+  return partByPart([&](int k) {
+    Numbers numbers;
+    std::memcpy(&numbers, from + k * kOfPart, sizeof numbers);
+    return __builtin_convertvector(numbers, Lanes<double>);
+  });
+}
+
+/// Three components of eight particles, or of eight springs.
+struct EightVectors {
+  Eight x, y, z;
+};
+template <class T>
+TYG_INLINE EightVectors eightVectors(const T* planes, std::ptrdiff_t plane) {
+  return {eightOf(planes), eightOf(planes + plane), eightOf(planes + 2 * plane)};
+}
+template <class T>
+TYG_INLINE EightVectors differences(const T* planes, std::ptrdiff_t plane, std::ptrdiff_t a, std::ptrdiff_t b) {
+  const EightVectors to = eightVectors(planes + b, plane), from = eightVectors(planes + a, plane);
+  return {to.x - from.x, to.y - from.y, to.z - from.z};
+}
+TYG_INLINE Eight dotOf(const EightVectors& a, const EightVectors& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+
+/// Calls `visit(family, a, b, n)` for the runs of springs that start in this row: n springs from a+k to b+k.
+template <class T, class Visit>
+TYG_INLINE void forSpringRuns(const EnergyRow<T>& in, const Visit& visit) {
+  const std::ptrdiff_t s = in.stride, a = in.row * s;
+  const int n = in.columns;
+  const bool down = in.row + 1 < in.rows, down2 = in.row + 2 < in.rows;
+  visit(in.families[0], a, a + 1, n - 1);
+  if (down) visit(in.families[0], a, a + s, n);
+  if (down) visit(in.families[1], a, a + s + 1, n - 1);
+  if (down) visit(in.families[1], a + 1, a + s, n - 1);
+  visit(in.families[2], a, a + 2, n - 2);
+  if (down2) visit(in.families[2], a, a + 2 * s, n);
+}
+
+/// Sums over k < n in the fixed order; `term(k)` gives the terms of k to k + 7. Those past n are not counted: they come
+/// from ghosts, of which every row has more than eight.
+template <class Term>
+TYG_INLINE double sumOf(int n, const Term& term) {
+  Eight sums;
+  int k = 0;
+  for (; k + kSums <= n; k += kSums) sums = sums + term(k);
+  if (k < n) {
+    Eight last = term(k);
+    last.keepFirst(n - k);
+    sums = sums + last;
+  }
+  return addPairwise(sums);
+}
+
+/// Elastic energy of a run, and the largest stretch beside it.
+template <class T>
+double elasticOfRun(const EnergyRow<T>& in, const typename EnergyRow<T>::Family& family, std::ptrdiff_t a,
+                    std::ptrdiff_t b, int n, double& maxStretch) {
+  const Eight rest = partByPart([&](int) { return Lanes<double>{} + family.rest; });
+  Eight longest;
+  const double energy = sumOf(n, [&](int k) {
+    const EightVectors d = differences(in.position, in.plane, a + k, b + k);
+    Eight elongation = squareRoots(dotOf(d, d)) - rest;
+    if (k + kSums > n) elongation.keepFirst(n - k);
+    longest = larger(elongation, longest);
+    return 0.5 * family.ks * elongation * elongation;
+  });
+  for (int k = 0; k < kSums; ++k) {
+    if (longest[k] / family.rest > maxStretch) maxStretch = longest[k] / family.rest;
+  }
+  return energy;
+}
+
+template <class T>
+TYG_INLINE double halfSquares(const T* v, std::ptrdiff_t plane, int n) {
+  return 0.5 * sumOf(n, [=](int k) {
+           const EightVectors u = eightVectors(v + k, plane);
+           return dotOf(u, u);
+         });
+}
+
+template <class T>
+RowEnergy energyOfRow(const EnergyRow<T>& given) {
+  const EnergyRow<T> in = given;
+  RowEnergy sum;
+  const std::ptrdiff_t start = in.row * in.stride, plane = in.plane;
+  const T* x = in.position + start;
+  sum.kinetic = halfSquares(in.velocity + start, plane, in.columns);
+  sum.fallen = sumOf(in.columns, [&](int k) {
+    const EightVectors at = eightVectors(x + k, plane);
+    return (in.weight[0] * at.x + in.weight[1] * at.y) + in.weight[2] * at.z;
+  });
+  forSpringRuns(in, [&](const typename EnergyRow<T>::Family& family, std::ptrdiff_t a, std::ptrdiff_t b, int n) {
+    if (family.ks > 0 || family.kd > 0) sum.elastic += elasticOfRun(in, family, a, b, n, sum.maxStretch);
+  });
+  return sum;
+}
+
+/// Power that the springs' damping and the drag take: sum of kd |dv|^2 (axial: its part along the spring) + drag |v|^2.
+template <class T>
+RowEnergy powerOfRow(const EnergyRow<T>& given) {
+  const EnergyRow<T> in = given;
+  RowEnergy sum;
+  const std::ptrdiff_t start = in.row * in.stride, plane = in.plane;
+  if (in.drag > 0) sum.power = 2 * in.drag * halfSquares(in.velocity + start, plane, in.columns);
+  const Eight tiny = partByPart([](int) { return Lanes<double>{} + 1e-300; });
+  forSpringRuns(in, [&](const typename EnergyRow<T>::Family& family, std::ptrdiff_t a, std::ptrdiff_t b, int n) {
+    if (family.kd <= 0) return;
+    sum.power += family.kd * sumOf(n, [&](int k) {
+                   const EightVectors dv = differences(in.velocity, plane, a + k, b + k);
+                   if (!in.axial) return dotOf(dv, dv);
+                   const EightVectors d = differences(in.position, plane, a + k, b + k);
+                   const Eight along = dotOf(dv, d);
+                   return along * along / (dotOf(d, d) + tiny);
+                 });
+  });
+  return sum;
+}
+
+}  // namespace
+}  // namespace tyg

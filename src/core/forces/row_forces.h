@@ -1,0 +1,229 @@
+// The inner loops: forces of all springs, row by row, each spring once, and what a step does with them.
+//
+// Particle (i, row) owns six springs: right and down (structural), down-right and, for its right neighbour, down-left
+// (shear), two to the right and two down (bend). `stageRow` computes them along the row, a vector of particles at a
+// time. What springs do to particles further right stays in registers and is shifted into place for the next vector;
+// what they do to the rows below is staged in a ring of rows. `finishForces` then adds gravity and drag to a block of
+// forces and stores the sum or moves the particles with it: no spring owned further on looks back at them, so that is
+// safe in place. Every number is computed by the same operations in the same order at every vector width, so every
+// width gives the same bits. Included by row_kernel_level.cpp alone; everything here is private to one vector level.
+#pragma once
+
+#include <cstring>
+#include <utility>
+
+#include "core/forces/row_kernel.h"
+
+#define TYG_INLINE [[gnu::always_inline]] inline
+
+namespace tyg {
+namespace {
+
+#if defined(__AVX512F__)
+constexpr std::size_t kVectorBytes = 64;
+#elif defined(__AVX2__)
+constexpr std::size_t kVectorBytes = 32;
+#else
+constexpr std::size_t kVectorBytes = 16;
+#endif
+
+/// A vector register's worth of numbers, with the arithmetic operators of the compiler's own vector types.
+template <class T>
+struct LanesOf {
+  using Type [[gnu::vector_size(kVectorBytes)]] = T;
+};
+template <class T>
+using Lanes = typename LanesOf<T>::Type;
+template <class T>
+constexpr std::ptrdiff_t kLanes = kVectorBytes / sizeof(T);
+
+template <class T>
+TYG_INLINE Lanes<T> load(const T* from) {
+  Lanes<T> lanes;
+  std::memcpy(&lanes, from, kVectorBytes);
+  return lanes;
+}
+template <class T>
+TYG_INLINE void store(T* to, const Lanes<T>& lanes) {
+  std::memcpy(to, &lanes, kVectorBytes);
+}
+TYG_INLINE float squareRoot(float a) { return __builtin_sqrtf(a); }
+TYG_INLINE double squareRoot(double a) { return __builtin_sqrt(a); }
+template <class T>
+TYG_INLINE Lanes<T> squareRoots(const Lanes<T>& a) {
+  Lanes<T> roots;
+  for (std::ptrdiff_t lane = 0; lane < kLanes<T>; ++lane) roots[lane] = squareRoot(a[lane]);
+  return roots;
+}
+
+/// A vector in space for each lane.
+template <class T>
+struct Vec {
+  Lanes<T> x, y, z;
+};
+template <class T>
+TYG_INLINE Vec<T> operator+(const Vec<T>& a, const Vec<T>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
+TYG_INLINE Vec<T> operator-(const Vec<T>& a, const Vec<T>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class T, class Factor>
+TYG_INLINE Vec<T> operator*(const Factor& s, const Vec<T>& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+template <class T>
+TYG_INLINE Lanes<T> dot(const Vec<T>& a, const Vec<T>& b) {
+  return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+
+template <class T>
+TYG_INLINE Vec<T> load(const T* planes, std::ptrdiff_t plane, std::ptrdiff_t i) {
+  return {load(planes + i), load(planes + plane + i), load(planes + 2 * plane + i)};
+}
+template <class T>
+TYG_INLINE void store(T* planes, std::ptrdiff_t plane, std::ptrdiff_t i, const Vec<T>& a) {
+  store(planes + i, a.x), store(planes + plane + i, a.y), store(planes + 2 * plane + i, a.z);
+}
+
+/// The last `distance` lanes of `before`, then the first ones of `here`: `here` moved to the right along the row.
+template <std::size_t distance, class Register, std::size_t... lane>
+TYG_INLINE Register shifted(const Register& before, const Register& here, std::index_sequence<lane...>) {
+  return __builtin_shufflevector(before, here, (sizeof...(lane) - distance + lane)...);
+}
+template <std::size_t distance, class T>
+TYG_INLINE Vec<T> shifted(const Vec<T>& before, const Vec<T>& here) {
+  constexpr std::make_index_sequence<std::size_t(kLanes<T>)> kEach;
+  return {shifted<distance>(before.x, here.x, kEach), shifted<distance>(before.y, here.y, kEach),
+          shifted<distance>(before.z, here.z, kEach)};
+}
+
+/// Keeps 0 * infinity out of a spring of length 0; far below the rounding of any length that is not.
+template <class T>
+constexpr T kTiny = sizeof(T) == sizeof(float) ? T(1e-30F) : T(1e-300);
+
+/// Force on the particles at `a` from the springs to those at `b` (model equation: spring part plus damping); `exists`
+/// is 1 or 0.
+template <DampingTerm damping, class T, class Exists>
+TYG_INLINE Vec<T> springForce(const RowTask<T>& task, const SpringLaw<T>& law, const Exists& exists, std::ptrdiff_t a,
+                              std::ptrdiff_t b) {
+  const Vec<T> d = load(task.position, task.plane, b) - load(task.position, task.plane, a);
+  const Lanes<T> inverseLength = T(1) / squareRoots<T>(dot(d, d) + kTiny<T>);
+  Lanes<T> pull = law.ks - law.ksTimesRest * inverseLength;
+  if constexpr (damping == DampingTerm::None) {
+    return (exists * pull) * d;
+  } else {
+    const Vec<T> dv = load(task.velocity, task.plane, b) - load(task.velocity, task.plane, a);
+    if constexpr (damping == DampingTerm::Relative) {
+      return (exists * pull) * d + (exists * law.kd) * dv;
+    } else {
+      pull += law.kd * ((dot(dv, d) * inverseLength) * inverseLength);
+      return (exists * pull) * d;
+    }
+  }
+}
+
+constexpr std::ptrdiff_t kBlock = 128;  ///< particles whose forces stay in the first-level cache until they are used
+
+/// Where a row's forces are staged, as pointers to planes; all within the task's scratch memory.
+template <class T>
+struct Staged {
+  T* own;                                 ///< of a block: planes kBlock apart, by place less the block's begin
+  T *taken, *takenNext, *takenAfterNext;  ///< by springs from above: from this row, the next, and the one after
+  T *diagonal, *diagonalNext;  ///< on the particle down to the right of each, from the last row and from this one
+};
+
+template <class T>
+TYG_INLINE Staged<T> stagedOf(const RowTask<T>& task, int row) {
+  const std::ptrdiff_t size = 3 * task.stride;
+  T* const ring = task.scratch + 3 * kBlock;
+  T* const diagonals = ring + 3 * size;  // ghosts before it stay 0: the place to the left of a row holds nothing
+  return {task.scratch,
+          ring + row % 3 * size,
+          ring + (row + 1) % 3 * size,
+          ring + (row + 2) % 3 * size,
+          diagonals + row % 2 * size,
+          diagonals + (row + 1) % 2 * size};
+}
+
+/// The springs of one row, six for each particle, a block at a time; each block is finished unless the row only feeds
+/// the rows below.
+template <class T, int families, DampingTerm damping>
+void stageRow(const RowTask<T>& given, int row, bool finish) {
+  const RowTask<T> task = given;  // on the stack, where no store can alias it
+  const Staged<T> to = stagedOf(task, row);
+  const std::ptrdiff_t s = task.stride;
+  const T hasDown = T(row + 1 < task.rows), hasDown2 = T(row + 2 < task.rows);
+  Vec<T> rightBefore{}, right2Before{};  // what the vector before does to its right neighbours, one and two places on
+  for (std::ptrdiff_t begin = 0; begin < task.width; begin += kBlock) {
+    const std::ptrdiff_t end = begin + kBlock < task.width ? begin + kBlock : task.width;
+    for (std::ptrdiff_t i = begin; i < end; i += kLanes<T>) {
+      const std::ptrdiff_t a = row * s + i;
+      Vec<T> across{}, down{}, downRight{}, downLeft{}, across2{}, down2{};
+      if constexpr ((families & kStructural) != 0) {
+        across = springForce<damping>(task, task.structural, load(task.hasRight + i), a, a + 1);
+        down = springForce<damping>(task, task.structural, hasDown, a, a + s);
+      }
+      if constexpr ((families & kShear) != 0) {
+        const Lanes<T> exists = hasDown * load(task.hasRight + i);
+        downRight = springForce<damping>(task, task.shear, exists, a, a + s + 1);
+        downLeft = springForce<damping>(task, task.shear, exists, a + 1, a + s);
+      }
+      if constexpr ((families & kBend) != 0) {
+        across2 = springForce<damping>(task, task.bend, load(task.hasRight2 + i), a, a + 2);
+        down2 = springForce<damping>(task, task.bend, hasDown2, a, a + 2 * s);
+      }
+      Vec<T> f = (((((across - load(to.taken, s, i)) + down) + downRight) + across2) + down2);
+      const Vec<T> onRight = downLeft - across;
+      Vec<T> takenNext = down;
+      if constexpr ((families & kBend) != 0) {
+        takenNext = load(to.takenNext, s, i) + down;
+        store(to.takenAfterNext, s, i, down2);
+      }
+      store(to.takenNext, s, i, takenNext + downLeft);
+      if constexpr ((families & (kStructural | kShear)) != 0) f = f + shifted<1>(rightBefore, onRight);
+      if constexpr ((families & kShear) != 0) {
+        f = f - load(to.diagonal, s, i - 1);
+        store(to.diagonalNext, s, i, downRight);
+      }
+      if constexpr ((families & kBend) != 0) f = f - shifted<2>(right2Before, across2);
+      rightBefore = onRight, right2Before = across2;
+      store(to.own, kBlock, i - begin, f);
+    }
+    if (finish) task.finish(task, row, begin, end);
+  }
+}
+
+/// Adds gravity and drag to the springs' forces, exactly 0 at pins and ghosts. Then the update.
+template <class T, Update update, bool drag>
+void finishForces(const RowTask<T>& given, int row, std::ptrdiff_t begin, std::ptrdiff_t end) {
+  const RowTask<T> task = given;
+  const std::ptrdiff_t plane = task.plane, start = row * task.stride;
+  const T *velocity = task.velocity + start, *isFree = task.isFree + start;
+  constexpr bool kStores = update == Update::Store, kPredicts = update == Update::Leapfrog;
+  T* const force = kStores ? task.force + start : nullptr;
+  T* const x = kStores ? nullptr : task.moving + start;
+  T* const v = kStores ? nullptr : task.kicked + start;
+  T* const seen = kPredicts ? task.seen + start : nullptr;
+  const Lanes<T> zero{};
+  const Vec<T> weight{zero + task.weight[0], zero + task.weight[1], zero + task.weight[2]};
+  for (std::ptrdiff_t i = begin; i < end; i += kLanes<T>) {
+    Vec<T> f = load(isFree + i) * (load(task.scratch, kBlock, i - begin) + weight);
+    if constexpr (drag) f = f - (load(isFree + i) * task.drag) * load(velocity, plane, i);
+    if constexpr (kStores) {
+      store(force, plane, i, f);
+    } else {
+      Vec<T> w = load(v, plane, i) + task.kick * f;
+      if constexpr (kPredicts) {
+        w = w + task.kick * f;
+        store(seen, plane, i, w + task.kick * f);
+      }
+      store(v, plane, i, w);
+      store(x, plane, i, load(x, plane, i) + task.step * w);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tyg

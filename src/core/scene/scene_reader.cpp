@@ -1,0 +1,164 @@
+// Scene files: which keys they have, what each may hold, where built-in scenes come from.
+// Must not know: what a simulation does with a scene.
+#include <cerrno>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <system_error>
+
+#include "core/scene/scene_table.h"
+#include "tyg/scene.h"
+#include "tyg/sheet.h"
+#include "util/text.h"
+
+namespace tyg {
+namespace {
+
+/// The mass comes as particle_mass or, spread over the sheet's area, as area_density.
+void readMass(SceneTable& table, Scene& scene) {
+  double density = 0;
+  table.number("particle_mass", scene.particleMass, Range::Positive);
+  table.number("area_density", density, Range::Positive);
+  if (!table.has("area_density")) return;
+  if (table.has("particle_mass")) {
+    table.refuse("area_density", "both particle_mass and area_density", "exactly one of them");
+  }
+  const double across = (scene.columns - 1) * scene.spacing, down = (scene.rows - 1) * scene.spacing;
+  scene.particleMass = density * across * down / (double(scene.columns) * scene.rows);
+  if (!(scene.particleMass > 0) || !std::isfinite(scene.particleMass)) {
+    table.refuse("area_density", "a density that gives no finite particle mass above 0",
+                 "particle_mass where the sheet has no area");
+  }
+}
+
+void readSheet(SceneTable table, Scene& scene) {
+  // Until they are read: finish() is to refuse a missing size, not a pin outside a size that nobody wrote.
+  scene.columns = scene.rows = kLargestCount;
+  table.integer("columns", scene.columns, 1, kLargestCount);
+  table.integer("rows", scene.rows, 1, kLargestCount);
+  table.number("spacing", scene.spacing, Range::Positive);
+  table.choice("start", scene.start, {"hanging", "flat"});
+  readMass(table, scene);
+  table.particleSets("pins", makeSheet(scene), scene.pins);
+  table.finish({"columns", "rows", "spacing"});
+  if (!table.has("particle_mass") && !table.has("area_density")) {
+    table.refuse("particle_mass", "neither particle_mass nor area_density", "exactly one of them");
+  }
+}
+
+void readFamily(SceneTable& springs, std::string_view name, SpringFamily& family) {
+  std::optional<SceneTable> table = springs.table(name);
+  if (!table) return;
+  table->number("ks", family.ks, Range::NotNegative);
+  table->number("kd", family.kd, Range::NotNegative);
+  table->finish();
+}
+
+void readSprings(SceneTable table, Scene& scene) {
+  table.choice("damping", scene.damping, {"relative", "axial"});
+  readFamily(table, "structural", scene.structural);
+  readFamily(table, "shear", scene.shear);
+  readFamily(table, "bend", scene.bend);
+  table.finish();
+}
+
+void readWorld(SceneTable table, Scene& scene) {
+  table.vector("gravity", scene.gravity);
+  table.number("drag", scene.drag, Range::NotNegative);
+  table.finish();
+}
+
+Displacement readDisplacement(SceneTable table, const Sheet& sheet) {
+  Displacement displacement;
+  table.particle("particle", sheet, displacement.particle);
+  table.vector("by", displacement.by);
+  table.finish({"particle", "by"});
+  return displacement;
+}
+
+Push readPush(SceneTable table, const Sheet& sheet) {
+  Push push;
+  table.particle("particle", sheet, push.particle);
+  table.vector("force", push.force);
+  table.number("at", push.at, Range::NotNegative);
+  table.number("for", push.duration, Range::NotNegative);
+  table.finish({"particle", "force", "at", "for"});
+  return push;
+}
+
+void readRun(SceneTable table, Scene& scene, std::span<const std::string_view> methods) {
+  table.number("duration", scene.duration, Range::Positive);
+  if (methods.empty()) {
+    table.text("integrator", scene.integrator);
+  } else if (const auto method = table.oneOf("integrator", methods)) {
+    scene.integrator = methods[*method];
+  }
+  table.number("dt", scene.dt, Range::Positive);
+  table.number("tolerance", scene.tolerance, Range::Positive);
+  table.choice("precision", scene.precision, {"float", "double"});
+  table.finish({"duration", "integrator", "dt"});
+}
+
+/// The root is finished before its tables are read: a misspelt table is named, not what it seems to lack.
+void readRoot(SceneTable root, Scene& scene, std::span<const std::string_view> methods) {
+  root.text("title", scene.title);
+  root.text("shows", scene.shows);
+  const auto sheetTable = root.table("sheet"), springs = root.table("springs"), world = root.table("world");
+  const auto displacements = root.tables("displace"), pushes = root.tables("push");
+  const auto run = root.table("run");
+  root.finish({"title", "sheet", "run"});
+
+  readSheet(*sheetTable, scene);
+  if (springs) readSprings(*springs, scene);
+  if (world) readWorld(*world, scene);
+  const Sheet sheet = makeSheet(scene);
+  for (const SceneTable& table : displacements) scene.displacements.push_back(readDisplacement(table, sheet));
+  for (const SceneTable& table : pushes) scene.pushes.push_back(readPush(table, sheet));
+  readRun(*run, scene, methods);
+}
+
+std::string builtinNames() { return joined(builtinScenes(), &BuiltinScene::name); }
+
+std::string readFile(const std::string& path) {
+  const auto refuse = [&path](const std::string& found) {
+    throw InputError("cannot read the scene '" + path + "': " + found +
+                     "; allowed: the path of a .toml file, or one of the built-in scenes " + builtinNames());
+  };
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) refuse("it is a folder");
+  std::ifstream in(path, std::ios::binary);
+  if (!in) refuse(std::generic_category().message(errno));
+  std::ostringstream text;
+  if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();  // nothing to copy would count as a failure
+  if (in.bad() || !text) refuse("reading failed");
+  return text.str();
+}
+
+}  // namespace
+
+const char* nameOf(Precision precision) { return precision == Precision::Float ? "float" : "double"; }
+
+Scene parseScene(std::string_view text, const std::string& fileName, std::span<const std::string_view> methods) {
+  try {
+    const toml::table root = toml::parse(text, std::string_view(fileName));
+    Scene scene;
+    scene.name = fileName;
+    readRoot(SceneTable(root, "", fileName), scene, methods);
+    return scene;
+  } catch (const toml::parse_error& mistake) {
+    throw InputError(fileName + ':' + std::to_string(mistake.source().begin.line) + ": found what is not TOML (" +
+                     std::string(mistake.description()) + "), allowed TOML 1.0 in UTF-8");
+  }
+}
+
+Scene loadScene(const std::string& nameOrPath, std::span<const std::string_view> methods) {
+  for (const BuiltinScene& scene : builtinScenes()) {
+    if (scene.name == nameOrPath) return parseScene(scene.text, nameOrPath, methods);
+  }
+  return parseScene(readFile(nameOrPath), nameOrPath, methods);
+}
+
+}  // namespace tyg

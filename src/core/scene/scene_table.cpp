@@ -1,0 +1,216 @@
+// Reads and checks the values of one TOML table; every refusal says file, line, key, found and allowed.
+// Must not know: which keys a scene has.
+#include "core/scene/scene_table.h"
+#include "util/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+namespace tyg {
+namespace {
+
+constexpr const char* kPlace = "a particle by name or as [column, row]";
+constexpr const char* kPlaces = "an array of particles or sets, each by name or as [column, row]";
+
+/// The shortest digits that mean this number, with a point where the file's number had one.
+std::string textOf(double number) {
+  const std::string digits = shortNumber(number);
+  return digits.find_first_of(".eni") == std::string::npos ? digits + ".0" : digits;
+}
+
+/// As TOML on one line, without what is inside of tables.
+std::string textOf(const toml::node& value) {
+  if (value.is_table()) return "a table";
+  if (value.is_floating_point()) return textOf(value.ref<double>());
+  if (const toml::array* array = value.as_array()) {
+    return '[' + joined(*array, [](const toml::node& element) { return textOf(element); }) + ']';
+  }
+  std::ostringstream out;
+  value.visit([&out](const auto& known) {
+    out << toml::toml_formatter{known, toml::format_flags::allow_unicode_strings};
+  });
+  return out.str();
+}
+
+/// Not too long for a message, and with no character cut in two.
+std::string shortened(std::string text) {
+  constexpr std::size_t kLongest = 60;
+  if (text.size() <= kLongest) return text;
+  std::size_t end = kLongest;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // inside a UTF-8 character
+  return text.substr(0, end) + "...";
+}
+
+/// TOML has whole numbers and others; a scene takes either where a number is asked for.
+std::optional<double> finiteNumber(const toml::node& value) {
+  const std::optional<double> number = value.is_number() ? value.value<double>() : std::nullopt;
+  return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+std::string numbersIn(Range range) {
+  switch (range) {
+    case Range::Any:
+      break;
+    case Range::NotNegative:
+      return "a finite number of at least 0";
+    case Range::Positive:
+      return "a finite number above 0";
+  }
+  return "a finite number";
+}
+
+bool contains(Range range, double number) {
+  return range == Range::Any || number > 0 || (number == 0 && range == Range::NotNegative);
+}
+
+std::string quoted(std::span<const std::string_view> names) {
+  std::string list;
+  for (const std::string_view name : names) list += (list.empty() ? "\"" : ", \"") + std::string(name) + '"';
+  return list;
+}
+
+}  // namespace
+
+SceneTable::SceneTable(const toml::table& table, std::string prefix, const std::string& file)
+    : table_(&table), prefix_(std::move(prefix)), file_(&file) {}
+
+void SceneTable::text(std::string_view key, std::string& out) {
+  const toml::node* value = ask(key, "a text in quotes");
+  if (value == nullptr) return;
+  if (!value->is_string()) refuseValue(*value);
+  out = value->ref<std::string>();
+}
+
+void SceneTable::integer(std::string_view key, int& out, int lowest, int highest) {
+  const toml::node* value =
+      ask(key, "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest));
+  if (value == nullptr) return;
+  if (!value->is_integer()) refuseValue(*value);
+  const std::int64_t number = value->ref<std::int64_t>();
+  if (number < lowest || number > highest) refuseValue(*value);
+  out = static_cast<int>(number);
+}
+
+void SceneTable::number(std::string_view key, double& out, Range range) {
+  const toml::node* value = ask(key, numbersIn(range));
+  if (value == nullptr) return;
+  const std::optional<double> number = finiteNumber(*value);
+  if (!number || !contains(range, *number)) refuseValue(*value);
+  out = *number;
+}
+
+void SceneTable::vector(std::string_view key, Vec3& out) {
+  const toml::node* value = ask(key, "three finite numbers [x, y, z]");
+  if (value == nullptr) return;
+  const toml::array* array = value->as_array();
+  if (array == nullptr || array->size() != 3) refuseValue(*value);
+  const auto x = finiteNumber((*array)[0]), y = finiteNumber((*array)[1]), z = finiteNumber((*array)[2]);
+  if (!x || !y || !z) refuseValue(*value);
+  out = {*x, *y, *z};
+}
+
+std::optional<std::size_t> SceneTable::oneOf(std::string_view key, std::span<const std::string_view> names) {
+  const toml::node* value = ask(key, quoted(names));
+  if (value == nullptr) return std::nullopt;
+  if (!value->is_string()) refuseValue(*value);
+  const auto found = std::find(names.begin(), names.end(), value->ref<std::string>());
+  if (found == names.end()) refuseValue(*value);
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+Place SceneTable::place(const toml::node& value) const {
+  if (value.is_string() && !value.ref<std::string>().empty()) return {value.ref<std::string>(), 0, 0};
+  const toml::array* array = value.as_array();
+  if (array == nullptr || array->size() != 2) refuseValue(value);
+  if (!array->is_homogeneous<std::int64_t>()) refuseValue(value);
+  const std::int64_t column = (*array)[0].ref<std::int64_t>(), row = (*array)[1].ref<std::int64_t>();
+  if (!std::in_range<int>(column) || !std::in_range<int>(row)) refuseValue(value);
+  return {"", static_cast<int>(column), static_cast<int>(row)};
+}
+
+void SceneTable::particle(std::string_view key, const Sheet& sheet, Place& out) {
+  const toml::node* value = ask(key, kPlace);
+  if (value == nullptr) return;
+  out = place(*value);
+  try {
+    (void)particleAt(sheet, out);
+  } catch (const InputError& mistake) {
+    refuseLine(*value, mistake.what());
+  }
+}
+
+void SceneTable::particleSets(std::string_view key, const Sheet& sheet, std::vector<Place>& out) {
+  const toml::node* value = ask(key, kPlaces);
+  if (value == nullptr) return;
+  const toml::array* array = value->as_array();
+  if (array == nullptr) refuseValue(*value);
+  for (const toml::node& element : *array) {
+    out.push_back(place(element));
+    try {
+      (void)particlesAt(sheet, out.back());
+    } catch (const InputError& mistake) {
+      refuseLine(element, mistake.what());
+    }
+  }
+}
+
+std::optional<SceneTable> SceneTable::table(std::string_view key) {
+  const toml::node* value = ask(key, "a table");
+  if (value == nullptr) return std::nullopt;
+  return inner(key, *value);
+}
+
+std::vector<SceneTable> SceneTable::tables(std::string_view key) {
+  std::vector<SceneTable> all;
+  const toml::node* value = ask(key, "tables, each under [[" + prefix_ + std::string(key) + "]]");
+  if (value == nullptr) return all;
+  const toml::array* array = value->as_array();
+  if (array == nullptr) refuseValue(*value);
+  for (const toml::node& element : *array) all.push_back(inner(key, element));
+  return all;
+}
+
+SceneTable SceneTable::inner(std::string_view key, const toml::node& value) const {
+  const toml::table* table = value.as_table();
+  if (table == nullptr) refuseValue(value);
+  return {*table, prefix_ + std::string(key) + '.', *file_};
+}
+
+void SceneTable::finish(std::initializer_list<std::string_view> required) const {
+  std::vector<std::string_view> known;
+  for (const Asked& asked : asked_) known.push_back(asked.key);
+  for (const auto& [key, value] : *table_) {
+    if (std::find(known.begin(), known.end(), key.str()) == known.end()) {
+      refuse(key.str(), value.is_table() ? "an unknown table" : "an unknown key", quoted(known));
+    }
+  }
+  for (const Asked& asked : asked_) {
+    const bool needed = std::find(required.begin(), required.end(), asked.key) != required.end();
+    if (needed && !has(asked.key)) refuse(asked.key, "nothing, and it is required", asked.allowed);
+  }
+}
+
+void SceneTable::refuse(std::string_view key, const std::string& found, const std::string& allowed) const {
+  const auto at = table_->find(key);
+  const toml::source_region& source = at == table_->end() ? table_->source() : at->first.source();
+  throw InputError(*file_ + ':' + std::to_string(source.begin.line) + ": key " + prefix_ + std::string(key) +
+                   ": found " + found + ", allowed " + allowed);
+}
+
+const toml::node* SceneTable::ask(std::string_view key, std::string allowed) {
+  asked_.push_back({key, std::move(allowed)});
+  return table_->get(key);
+}
+
+void SceneTable::refuseValue(const toml::node& value) const {
+  refuseLine(value, "found " + shortened(textOf(value)) + ", allowed " + asked_.back().allowed);
+}
+
+void SceneTable::refuseLine(const toml::node& value, const std::string& foundAndAllowed) const {
+  throw InputError(*file_ + ':' + std::to_string(value.source().begin.line) + ": key " + prefix_ +
+                   std::string(asked_.back().key) + ": " + foundAndAllowed);
+}
+
+}  // namespace tyg

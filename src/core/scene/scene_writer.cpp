@@ -1,0 +1,148 @@
+// Writing scenes: the keys in the order of the built-in files.
+#include "core/scene/scene_writer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "util/text.h"
+
+namespace tyg {
+namespace {
+
+constexpr std::size_t kUnitColumn = 25;  // where the comments begin
+
+std::string numberText(double number) {
+  std::string text = shortNumber(number);
+  // Whole numbers without a point are TOML integers, of 64 bits and without a negative zero.
+  constexpr double kWholeUpTo = 1e15;
+  const bool isInteger = text.find_first_of(".en") == std::string::npos;
+  if (isInteger && (std::abs(number) > kWholeUpTo || (number == 0 && std::signbit(number)))) text += ".0";
+  return text;
+}
+
+std::string vectorText(const Vec3& vector) {
+  return "[" + numberText(vector.x) + ", " + numberText(vector.y) + ", " + numberText(vector.z) + "]";
+}
+
+/// A TOML basic string with its quotes.
+std::string quoted(std::string_view text) {
+  std::string literal = "\"";
+  for (const char character : text) {
+    const auto code = static_cast<unsigned char>(character);
+    if (character == '"' || character == '\\') {
+      literal += {'\\', character};
+    } else if (code < 0x20 || code == 0x7F) {
+      constexpr std::string_view kDigits = "0123456789ABCDEF";
+      literal += "\\u00";
+      literal += {kDigits[code / 16], kDigits[code % 16]};
+    } else {
+      literal += character;
+    }
+  }
+  return literal + '"';
+}
+
+std::string placeText(const Place& place) {
+  if (!place.name.empty()) return quoted(place.name);
+  return "[" + std::to_string(place.column) + ", " + std::to_string(place.row) + "]";
+}
+
+class Writer {
+ public:
+  void comment(std::string_view text) {
+    while (!text.empty()) {
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      text_.append("# ").append(text.substr(0, end)).append("\n");
+      text.remove_prefix(std::min(end + 1, text.size()));
+    }
+  }
+  void table(std::string_view header) { text_.append("\n").append(header).append("\n"); }
+  void line(std::string_view key, const std::string& value, std::string_view unit = "") {
+    std::string line = std::string(key) + " = " + value;
+    if (!unit.empty()) {
+      line.resize(std::max(line.size() + 1, kUnitColumn), ' ');
+      line.append("# ").append(unit);
+    }
+    text_ += line + "\n";
+  }
+  [[nodiscard]] std::string text() { return std::move(text_); }
+
+ private:
+  std::string text_;
+};
+
+void writeSheet(Writer& out, const Scene& scene) {
+  out.table("[sheet]");
+  out.line("columns", std::to_string(scene.columns));
+  out.line("rows", std::to_string(scene.rows));
+  out.line("spacing", numberText(scene.spacing), "m");
+  if (scene.start == Start::Flat) out.line("start", "\"flat\"");
+  out.line("particle_mass", numberText(scene.particleMass), "kg");
+  if (scene.pins.empty()) return;
+  std::string pins;
+  for (const Place& pin : scene.pins) pins += (pins.empty() ? "[" : ", ") + placeText(pin);
+  out.line("pins", pins + "]");
+}
+
+void writeSprings(Writer& out, const Scene& scene) {
+  const bool axial = scene.damping == Damping::Axial;
+  if (!axial && !scene.structural.present() && !scene.shear.present() && !scene.bend.present()) return;
+  out.table("[springs]");
+  if (axial) out.line("damping", "\"axial\"");
+  const auto family = [&](std::string_view name, const SpringFamily& springs) {
+    if (!springs.present()) return;
+    out.line(name, "{ ks = " + numberText(springs.ks) + ", kd = " + numberText(springs.kd) + " }", "N/m, N s/m");
+  };
+  family("structural", scene.structural);
+  family("shear", scene.shear);
+  family("bend", scene.bend);
+}
+
+void writeWorld(Writer& out, const Scene& scene) {
+  const bool ownGravity = scene.gravity != Scene{}.gravity;
+  if (!ownGravity && scene.drag == 0) return;
+  out.table("[world]");
+  if (ownGravity) out.line("gravity", vectorText(scene.gravity), "m/s2");
+  if (scene.drag != 0) out.line("drag", numberText(scene.drag), "N s/m");
+}
+
+void writeEvents(Writer& out, const Scene& scene) {
+  for (const Displacement& displacement : scene.displacements) {
+    out.table("[[displace]]");
+    out.line("particle", placeText(displacement.particle));
+    out.line("by", vectorText(displacement.by), "m");
+  }
+  for (const Push& push : scene.pushes) {
+    out.table("[[push]]");
+    out.line("particle", placeText(push.particle));
+    out.line("force", vectorText(push.force), "N");
+    out.line("at", numberText(push.at), "s");
+    out.line("for", numberText(push.duration), "s");
+  }
+}
+
+void writeRun(Writer& out, const Scene& scene) {
+  out.table("[run]");
+  out.line("duration", numberText(scene.duration), "s");
+  out.line("integrator", quoted(scene.integrator));
+  out.line("dt", numberText(scene.dt), "s");
+  if (scene.tolerance != Scene{}.tolerance) out.line("tolerance", numberText(scene.tolerance), "m");
+  if (scene.precision == Precision::Float) out.line("precision", "\"float\"");
+}
+
+}  // namespace
+
+std::string sceneToToml(const Scene& scene, std::string_view comment) {
+  Writer out;
+  out.comment(comment);
+  out.line("title", quoted(scene.title));
+  if (!scene.shows.empty()) out.line("shows", quoted(scene.shows));
+  writeSheet(out, scene);
+  writeSprings(out, scene);
+  writeWorld(out, scene);
+  writeEvents(out, scene);
+  writeRun(out, scene);
+  return out.text();
+}
+
+}  // namespace tyg

@@ -1,0 +1,50 @@
+// See alarm.h.
+#include "core/simulation/alarm.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tyg {
+namespace {
+
+/// Sum over springs of ks (0.01 L0)^2 / 2: the energy of a sheet stretched by a hundredth.
+double hundredthStretch(const Scene& scene, const Sheet& sheet) {
+  const auto ofFamily = [&](const SpringFamily& springs, Family family) {
+    const double elongation = 0.01 * restLength(sheet, family);
+    return double(springCount(sheet, family)) * springs.ks * elongation * elongation / 2;
+  };
+  return ofFamily(scene.structural, Family::Structural) + ofFamily(scene.shear, Family::Shear) +
+         ofFamily(scene.bend, Family::Bend);
+}
+
+}  // namespace
+
+void Alarm::lose(double power, double time) {
+  lost_ = lost_ * (1 - 1 / kMemory) + std::min(power, lastPower_) * (time - lastTime_);
+  lastPower_ = power, lastTime_ = time;
+  lossIsPresent_ = true;
+}
+
+void Alarm::expect(double forcing, double h) { firstSteps_ = std::max(firstSteps_, 5 * forcing * h * h); }
+
+void Alarm::Sum::take(double value, double large, bool first) {
+  lowest = first ? value : std::min(lowest, value);
+  if (value > lowest) largestRise = std::max(largestRise, (value - lowest) / large);
+}
+
+Status Alarm::look(const StoredEnergy& energy, double work) {
+  const double stored = energy.kinetic + energy.elastic + energy.gravitational - work;
+  if (!std::isfinite(stored + lost_)) return Status::NotFinite;
+  largest_ = std::max({largest_, std::abs(energy.gravitational), std::abs(work)});
+  const double large = scale() + firstSteps_;
+  stored_.take(stored, large, !looked_);
+  if (lossIsPresent_) balance_.take(stored + lost_, large, !looked_);
+  looked_ = true, lossIsPresent_ = false;
+  return std::max(storedRise(), balanceRise()) > kThreshold ? Status::Unstable : Status::Ok;
+}
+
+Alarm makeAlarm(const Scene& scene, const Sheet& sheet, const StoredEnergy& start) {
+  return {hundredthStretch(scene, sheet), start.kinetic + start.elastic};
+}
+
+}  // namespace tyg

@@ -1,0 +1,39 @@
+// What a time integration method is to the rest of the program: one class with step() and reset(). Must not know:
+// scenes, time of day, how forces are computed.
+#pragma once
+
+#include <memory>
+
+#include "core/forces/forces.h"
+#include "core/forces/state.h"
+
+namespace tyg {
+
+/// Turns the state at t into the state at t + h. Owns its scratch memory and allocates nothing in step(), but for what
+/// a library needs to solve equations and for what a new step length asks.
+template <class T>
+class Integrator {
+ public:
+  virtual ~Integrator() = default;
+  /// One step of h seconds (> 0). The forces hold constant parameters during the step.
+  virtual void step(Forces<T>& forces, State<T>& state, double h) = 0;
+  /// `count` such steps, 1 to Forces::kMostSteps. The bits are those of step() again and again; methods whose force,
+  /// kick and drift fit in one pass over the rows do better.
+  virtual void steps(Forces<T>& forces, State<T>& state, double h, int count) {
+    for (int k = 0; k < count; ++k) step(forces, state, h);
+  }
+  /// Adaptive methods: one accepted step of at most `most` seconds whose estimated error is within `tolerance` metres
+  /// (> 0); returns the step taken. Others take the whole of `most`.
+  virtual double stepWithin(Forces<T>& forces, State<T>& state, double most, double /*tolerance*/) {
+    step(forces, state, most);
+    return most;
+  }
+  /// Forgets what was kept from the last step. Whoever edits the state or the forces calls this.
+  virtual void reset() {}
+  /// A copy with the same memory, for snapshots.
+  [[nodiscard]] virtual std::unique_ptr<Integrator> clone() const = 0;
+  /// Memory that a copy takes, but for what does not grow with the sheet.
+  [[nodiscard]] virtual std::size_t bytes() const = 0;
+};
+
+}  // namespace tyg

@@ -1,0 +1,58 @@
+// The half of a simulation that depends on the precision: state, forces and integrator behind one virtual interface.
+// Must not know: stop times, pushes over time, alarms.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "core/forces/forces.h"
+#include "tyg/method.h"
+#include "tyg/scene.h"
+
+namespace tyg {
+
+class MovingSheet {
+ public:
+  /// Everything that moves, copied; the precision is known to its maker.
+  struct Moment {
+    virtual ~Moment() = default;
+    [[nodiscard]] virtual std::size_t bytes() const = 0;  ///< of memory
+  };
+
+  virtual ~MovingSheet() = default;
+  virtual void useMethod(const Method& method) = 0;
+  /// The scene has other springs or another world now; pushes have to be added anew. Changes nothing where `method`
+  /// throws.
+  virtual void useWorld(const Method& method) = 0;
+  /// `count` steps of h seconds, 1 to 64.
+  virtual void steps(double h, int count) = 0;
+  /// See Integrator::stepWithin.
+  virtual double stepWithin(double most, double tolerance) = 0;
+  virtual void clearPushes() = 0;
+  virtual void addPush(int particle, const Vec3& force) = 0;
+  /// To be called after any edit of pushes or state.
+  virtual void reset() = 0;
+
+  /// See Simulation::liveStableStep.
+  virtual double liveStableStep(const Method& method) = 0;
+  /// See Forces::trackDissipation.
+  virtual void trackDissipation(bool on) = 0;
+  [[nodiscard]] virtual StoredEnergy energy() const = 0;
+  /// See Forces::lossPower.
+  [[nodiscard]] virtual double lossPower() const = 0;
+  [[nodiscard]] virtual double dissipated() const = 0;
+  [[nodiscard]] virtual std::int64_t evaluations() const = 0;
+  [[nodiscard]] virtual Vec3 position(int particle) const = 0;
+  [[nodiscard]] virtual Vec3 velocity(int particle) const = 0;
+  virtual void copyPositions(std::span<float> xyz) const = 0;
+  [[nodiscard]] virtual std::uint64_t hash() const = 0;
+
+  [[nodiscard]] virtual std::unique_ptr<Moment> save() const = 0;
+  virtual void restore(const Moment& moment) = 0;
+};
+
+/// A scene from its displaced start shape. The references must outlive it.
+std::unique_ptr<MovingSheet> makeMovingSheet(const Scene& scene, const Sheet& sheet, const Method& method,
+                                             Workers& workers, bool trackDissipation);
+
+}  // namespace tyg

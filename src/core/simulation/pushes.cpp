@@ -1,0 +1,95 @@
+// See pushes.h.
+#include "core/simulation/pushes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tyg {
+namespace {
+
+double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+}  // namespace
+
+bool Pushes::Push::actsAt(const Instant& now) const {
+  if (byHand) return firstTick <= now.tick && now.tick < endTick;
+  const double soon = now.time + now.sameTime;
+  return begin <= soon && soon < end;
+}
+
+double Pushes::Push::workUpTo(const Vec3& here) const {
+  return dot(force, {here.x - from.x, here.y - from.y, here.z - from.z});
+}
+
+Pushes::Pushes(const Scene& scene, const Sheet& sheet) {
+  for (const tyg::Push& push : scene.pushes) {
+    pushes_.push_back({.particle = particleAt(sheet, push.particle),
+                       .force = push.force,
+                       .begin = push.at,
+                       .end = push.at + push.duration});
+  }
+}
+
+void Pushes::add(int particle, const Vec3& force, std::int64_t firstTick, std::int64_t endTick) {
+  pushes_.push_back({.particle = particle, .force = force, .firstTick = firstTick, .endTick = endTick, .byHand = true});
+}
+
+bool Pushes::switchAt(const Instant& now, const MovingSheet& moving) {
+  bool jump = false;
+  for (Push& push : pushes_) {
+    if (push.actsAt(now) == push.acting) continue;
+    jump = true;
+    const Vec3 here = moving.position(push.particle);
+    if (push.acting) finishedWork_ += push.workUpTo(here);
+    push.from = here;
+    push.acting = !push.acting;
+  }
+  if (jump) std::erase_if(pushes_, [&](const Push& push) { return push.byHand && push.endTick <= now.tick; });
+  return jump;
+}
+
+void Pushes::applyTo(MovingSheet& moving) const {
+  moving.clearPushes();
+  for (const Push& push : pushes_) {
+    if (push.acting) moving.addPush(push.particle, push.force);
+  }
+}
+
+double Pushes::forcing(const Scene& scene, const Sheet& sheet) const {
+  const double mass = sheet.particleMass;
+  double root = std::sqrt(sheet.count() * mass * dot(scene.gravity, scene.gravity));
+  for (const Push& push : pushes_) {
+    if (push.acting) root += std::sqrt(dot(push.force, push.force) / mass);  // a sum is no longer than its vectors
+  }
+  return root * root;
+}
+
+double Pushes::work(const MovingSheet& moving) const {
+  double sum = finishedWork_;
+  for (const Push& push : pushes_) {
+    if (push.acting) sum += push.workUpTo(moving.position(push.particle));
+  }
+  return sum;
+}
+
+double Pushes::nextEdge(const Instant& now, double end) const {
+  double next = end;
+  for (const Push& push : pushes_) {
+    if (push.byHand) continue;
+    for (const double edge : {push.begin, push.end}) {
+      if (edge > now.time + now.sameTime && edge < next - now.sameTime) next = edge;
+    }
+  }
+  return next;
+}
+
+std::int64_t Pushes::ticksToEdge(std::int64_t tick, std::int64_t most) const {
+  for (const Push& push : pushes_) {
+    for (const std::int64_t edge : {push.firstTick, push.endTick}) {
+      if (push.byHand && edge > tick) most = std::min(most, edge - tick);
+    }
+  }
+  return most;
+}
+
+}  // namespace tyg

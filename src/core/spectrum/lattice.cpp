@@ -1,0 +1,98 @@
+// See lattice.h.
+#include "core/spectrum/lattice.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tyg {
+namespace {
+
+/// 1 - cos q without the cancellation near q = 0, where explicit Euler's limit d / w2 lives.
+double oneMinusCos(double q) {
+  const double s = std::sin(q / 2);
+  return 2 * s * s;
+}
+
+}  // namespace
+
+std::array<std::complex<double>, 2> rootsOf(const Mode& mode) {
+  using Complex = std::complex<double>;
+  const double discriminant = mode.discriminant();
+  if (discriminant >= 0) {
+    const double fast = -(mode.d + std::sqrt(discriminant)) / 2;
+    return {Complex(fast, 0), Complex(fast < 0 ? mode.w2 / fast : 0, 0)};
+  }
+  const Complex upper(-mode.d / 2, std::sqrt(-discriminant) / 2);
+  return {upper, std::conj(upper)};
+}
+
+/// A symmetric 2x2 matrix.
+struct Lattice::Symbol {
+  double xx = 0, yy = 0, xy = 0;
+
+  /// Larger and smaller eigenvalue.
+  [[nodiscard]] std::array<double, 2> eigenvalues() const {
+    const double mean = (xx + yy) / 2, radius = std::hypot((xx - yy) / 2, xy);
+    return {mean + radius, std::max(0.0, mean - radius)};
+  }
+  /// The unit eigenvector of the larger eigenvalue.
+  [[nodiscard]] std::array<double, 2> direction() const {
+    const double angle = std::atan2(2 * xy, xx - yy) / 2;
+    return {std::cos(angle), std::sin(angle)};
+  }
+  [[nodiscard]] double along(const std::array<double, 2>& u) const {
+    return xx * u[0] * u[0] + yy * u[1] * u[1] + 2 * xy * u[0] * u[1];
+  }
+};
+
+Lattice::Lattice(const Scene& scene)
+    : wide_(scene.columns > 1),
+      tall_(scene.rows > 1),
+      law_(scene.damping),
+      drag_(scene.drag / scene.particleMass),
+      stiffness_(constantsOf(scene, &SpringFamily::ks)),
+      damping_(constantsOf(scene, &SpringFamily::kd)) {}
+
+Lattice::Constants Lattice::constantsOf(const Scene& scene, double SpringFamily::*constant) {
+  const double perMass = 1 / scene.particleMass;
+  const bool wide = scene.columns > 1, tall = scene.rows > 1;
+  Constants k;
+  if (wide) k.structuralX = scene.structural.*constant * perMass;
+  if (tall) k.structuralY = scene.structural.*constant * perMass;
+  if (wide && tall) k.shear = scene.shear.*constant * perMass;
+  if (scene.columns > 2) k.bendX = scene.bend.*constant * perMass;
+  if (scene.rows > 2) k.bendY = scene.bend.*constant * perMass;
+  return k;
+}
+
+/// What springs that act along themselves do to a wave in the plane.
+Lattice::Symbol Lattice::inPlane(const Constants& k, double qx, double qy) {
+  const double x = oneMinusCos(qx), y = oneMinusCos(qy);
+  const double diagonal = 2 * k.shear * (x + y - x * y);  // 1 - cos qx cos qy
+  return {2 * k.structuralX * x + diagonal + 2 * k.bendX * oneMinusCos(2 * qx),
+          2 * k.structuralY * y + diagonal + 2 * k.bendY * oneMinusCos(2 * qy),
+          2 * k.shear * std::sin(qx) * std::sin(qy)};
+}
+
+/// The same in every direction: what the relative law's damping does.
+double Lattice::everyWay(const Constants& k, double qx, double qy) {
+  const double x = oneMinusCos(qx), y = oneMinusCos(qy);
+  return 2 * k.structuralX * x + 2 * k.structuralY * y + 4 * k.shear * (x + y - x * y) +
+         2 * k.bendX * oneMinusCos(2 * qx) + 2 * k.bendY * oneMinusCos(2 * qy);
+}
+
+std::array<Mode, 5> Lattice::modes(double qx, double qy) const {
+  const Symbol pull = inPlane(stiffness_, qx, qy);
+  const auto [fast, slow] = pull.eigenvalues();
+  if (law_ == Damping::Relative) {
+    const double d = drag_ + everyWay(damping_, qx, qy);
+    return {{{fast, d}, {slow, d}, {0, d}, {fast, d}, {slow, d}}};
+  }
+  const Symbol damp = inPlane(damping_, qx, qy);
+  const double most = drag_ + damp.eigenvalues()[0];
+  const std::array<double, 2> u = pull.direction();
+  const double dFast = drag_ + damp.along(u), dSlow = drag_ + damp.along({-u[1], u[0]});
+  return {{{fast, most}, {slow, most}, {0, drag_}, {fast, dFast}, {slow, dSlow}}};
+}
+
+}  // namespace tyg

@@ -1,0 +1,150 @@
+// See rest_spectrum.h.
+#include "core/spectrum/rest_spectrum.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tyg/sheet.h"
+
+namespace tyg {
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+using Vector = Eigen::VectorXd;
+using Block = Eigen::Matrix2d;
+
+/// Adds up what springs between free particles do, as a graph Laplacian with a block per spring.
+class Assembly {
+ public:
+  explicit Assembly(const Sheet& sheet) : unknown_(std::size_t(sheet.count()), -1) {
+    for (int particle = 0; particle < sheet.count(); ++particle) {
+      if (!std::ranges::binary_search(sheet.pins, particle)) unknown_[std::size_t(particle)] = free_++;
+    }
+  }
+
+  [[nodiscard]] int freeParticles() const { return free_; }
+  [[nodiscard]] const std::vector<Eigen::Triplet<double>>& entries() const { return entries_; }
+
+  void everywhere(int size, double value) {
+    for (int k = 0; k < size * free_; ++k) entries_.emplace_back(k, k, value);
+  }
+  void spring(const SpringEnds& ends, const Block& block, int size) {
+    const int a = unknown_[std::size_t(ends.first)], b = unknown_[std::size_t(ends.second)];
+    add(a, a, block, size), add(b, b, block, size), add(a, b, -block, size), add(b, a, -block, size);
+  }
+  [[nodiscard]] Matrix matrix(int size) const {
+    Matrix all(size * free_, size * free_);
+    all.setFromTriplets(entries_.begin(), entries_.end());
+    return all;
+  }
+
+ private:
+  void add(int row, int column, const Block& block, int size) {
+    if (row < 0 || column < 0) return;
+    for (int i = 0; i < size; ++i) {
+      for (int j = 0; j < size; ++j) entries_.emplace_back(size * row + i, size * column + j, block(i, j));
+    }
+  }
+
+  std::vector<int> unknown_;
+  int free_ = 0;
+  std::vector<Eigen::Triplet<double>> entries_;
+};
+
+/// The eigenvector of the largest eigenvalue of ofK K + ofC C.
+Vector topOf(const Matrix& K, const Matrix& C, const LineNormal& normal) {
+  const Eigen::Index size = K.rows(), most = std::min<Eigen::Index>(size, 400);
+  Eigen::MatrixXd basis(size, most);
+  Vector diagonal(most), beside(most), next(size);
+  for (Eigen::Index i = 0; i < size; ++i) next[i] = std::sin(1.0 + double(i) * double(i));  // touches every mode
+  for (Eigen::Index k = 0;; ++k) {
+    basis.col(k) = next.normalized();
+    next = normal.ofK * (K * basis.col(k)) + normal.ofC * (C * basis.col(k));
+    diagonal[k] = next.dot(basis.col(k));
+    const auto known = basis.leftCols(k + 1);
+    for (int pass = 0; pass < 2; ++pass) next -= known * (known.transpose() * next).eval();
+    beside[k] = next.norm();
+    const bool last = k + 1 == most || beside[k] <= 1e-12 * std::abs(diagonal[0]);
+    if (!last && k % 10 != 9) continue;
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> small;
+    small.computeFromTridiagonal(diagonal.head(k + 1), beside.head(k));
+    constexpr double kConverged = 1e-7;  // of the residual; the eigenvalue errs by its square
+    if (last || beside[k] * std::abs(small.eigenvectors()(k, k)) < kConverged * std::abs(small.eigenvalues()[k])) {
+      return known * small.eigenvectors().col(k);
+    }
+  }
+}
+
+}  // namespace
+
+RestSpectrum::RestSpectrum(const Scene& scene) {
+  const Sheet sheet = makeSheet(scene);
+  Assembly stiffness(sheet), damping(sheet), across(sheet);
+  const double perMass = 1 / sheet.particleMass;
+  damping.everywhere(2, perMass * scene.drag);
+  across.everywhere(1, perMass * scene.drag);
+  const auto addFamily = [&](const SpringFamily& springs, Family family) {
+    if (!springs.present()) return;
+    for (const SpringEnds& ends : springsOf(sheet, family)) {
+      const Vec3 from = sheet.startPosition(ends.first), to = sheet.startPosition(ends.second);
+      const double down = sheet.start == Start::Flat ? to.z - from.z : to.y - from.y;
+      const Eigen::Vector2d along = Eigen::Vector2d(to.x - from.x, down).normalized();
+      const Block pull = along * along.transpose();
+      const bool relative = scene.damping == Damping::Relative;
+      stiffness.spring(ends, perMass * springs.ks * pull, 2);
+      damping.spring(ends, perMass * springs.kd * (relative ? Block(Block::Identity()) : pull), 2);
+      if (relative) across.spring(ends, perMass * springs.kd * Block::Identity(), 1);
+    }
+  };
+  addFamily(scene.structural, Family::Structural);
+  addFamily(scene.shear, Family::Shear);
+  addFamily(scene.bend, Family::Bend);
+  K_ = stiffness.matrix(2);
+  C_ = damping.matrix(2);
+  outOfPlane_ = across.matrix(1);
+}
+
+Mode RestSpectrum::farthest(const LineNormal& normal) const {
+  if (K_.rows() == 0) return {};
+  const Vector u = topOf(K_, C_, normal);
+  return {std::max(0.0, u.dot(K_ * u)), std::max(0.0, u.dot(C_ * u))};
+}
+
+Mode RestSpectrum::mostDampedOutOfPlane() const {
+  if (outOfPlane_.rows() == 0 || outOfPlane_.nonZeros() == 0) return {};
+  const Vector u = topOf(outOfPlane_, outOfPlane_, {0, 1});
+  return {0, std::max(0.0, u.dot(outOfPlane_ * u))};
+}
+
+double RestSpectrum::mostStiffnessPerDamping() const {
+  const Eigen::Index size = K_.rows();
+  const Eigen::MatrixXd K(K_);
+  Eigen::MatrixXd C(C_);
+  if (size == 0 || K.norm() == 0) return 0;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity(), kTiny = 1e-9;
+  if (C.norm() == 0) return kInfinity;
+  C.diagonal().array() += kTiny * C.norm();  // motions that neither strain nor damp, rigid ones above all, get 0
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> pencil(K, C, Eigen::EigenvaluesOnly);
+  const double most = pencil.eigenvalues()[size - 1];
+  return most * kTiny * C.norm() < 1e-3 * K.norm() / double(size) ? most : kInfinity;
+}
+
+/// The eigenvalues of (x, v)' = (v, -K x - C v) in the plane; 0 and -d for every d of the damping out of it.
+std::vector<std::complex<double>> RestSpectrum::roots() const {
+  std::vector<std::complex<double>> all;
+  const Eigen::Index size = K_.rows();
+  if (size == 0) return all;
+  Eigen::MatrixXd motion = Eigen::MatrixXd::Zero(2 * size, 2 * size);
+  motion.topRightCorner(size, size).setIdentity();
+  motion.bottomLeftCorner(size, size) = -Eigen::MatrixXd(K_);
+  motion.bottomRightCorner(size, size) = -Eigen::MatrixXd(C_);
+  const Eigen::EigenSolver<Eigen::MatrixXd> inPlane(motion, false);
+  for (const std::complex<double>& mu : inPlane.eigenvalues()) all.push_back(mu);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> across(Eigen::MatrixXd(outOfPlane_), Eigen::EigenvaluesOnly);
+  for (const double d : across.eigenvalues()) all.emplace_back(-d, 0);
+  return all;
+}
+
+}  // namespace tyg

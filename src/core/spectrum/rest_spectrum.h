@@ -1,0 +1,41 @@
+// The spectrum of the finite sheet at rest, with its edges and pins: what the waves of the unbounded lattice only
+// bound. Must not know: moving states, measured limits.
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <complex>
+#include <vector>
+
+#include "core/spectrum/lattice.h"
+#include "core/spectrum/level_line.h"
+#include "tyg/scene.h"
+
+namespace tyg {
+
+/// x'' = -K x - C x' for small motions of the particles that are free, out of and in the plane of the sheet apart.
+class RestSpectrum {
+ public:
+  static constexpr int kMostParticles = 64 * 64;  ///< beyond, edges change the limit by less than a thousandth
+  static constexpr int kMostDense = 64;           ///< particles up to which all eigenvalues are worked out
+
+  /// `scene` has at most kMostParticles particles.
+  explicit RestSpectrum(const Scene& scene);
+
+  /// The in-plane motion u of unit length with the largest u.(ofK K + ofC C) u, as the mode w2 = u.Ku, d = u.Cu; by a
+  /// Lanczos iteration (Lanczos 1950) that runs until it has converged.
+  [[nodiscard]] Mode farthest(const LineNormal& normal) const;
+  /// The largest damping out of the plane, where springs at rest do not pull.
+  [[nodiscard]] Mode mostDampedOutOfPlane() const;
+  /// The largest u.Ku / u.Cu of any in-plane motion, 1/s: no mode has more stiffness for its damping. Infinite where a
+  /// motion has stiffness alone. For a sheet of at most kMostDense particles.
+  [[nodiscard]] double mostStiffnessPerDamping() const;
+  /// All roots mu of the motions like exp(mu t), 1/s, of a sheet of at most kMostDense particles.
+  [[nodiscard]] std::vector<std::complex<double>> roots() const;
+
+ private:
+  using Matrix = Eigen::SparseMatrix<double>;
+  Matrix K_, C_;       // in the plane: two unknowns per free particle
+  Matrix outOfPlane_;  // of C: one
+};
+
+}  // namespace tyg

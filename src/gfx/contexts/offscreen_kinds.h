@@ -1,0 +1,19 @@
+// The makers of the off-screen contexts, one file each because their headers do not go together.
+#pragma once
+
+#include <memory>
+
+#include "gfx/contexts/offscreen.h"
+
+namespace tyg {
+
+/// Each throws std::runtime_error that says which step failed.
+std::unique_ptr<Offscreen> makeEglOffscreen(int width, int height);
+#ifdef TYG_HAVE_OSMESA
+std::unique_ptr<Offscreen> makeOsMesaOffscreen(int width, int height);
+#endif
+
+/// Loads the OpenGL functions through `find`. Throws where they are not those of OpenGL 3.3 core.
+void loadOpenGl(void (*(*find)(const char* name))());
+
+}  // namespace tyg

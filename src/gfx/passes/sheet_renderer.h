@@ -1,0 +1,40 @@
+// Draws a sheet with OpenGL 3.3 core: springs as anti-aliased lines shaded with distance, pins, particles, a push, the
+// ground. Must not know: windows, how the context came about, the simulation (it is given positions).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include <glm/glm.hpp>
+
+#include "tyg/sheet.h"
+#include "view/camera.h"
+#include "view/draw_options.h"
+
+namespace tyg {
+
+/// All of its OpenGL objects belong to the context that is current when it is made; draw and destroy it in that
+/// context. Expects the OpenGL functions to be loaded (gladLoadGL). Leaves blending and depth testing on, the others as
+/// it sets them; it relies on no state but the bound framebuffer.
+class SheetRenderer {
+ public:
+  /// Throws std::runtime_error with the driver's log where a shader does not compile, and InputError where the driver
+  /// cannot hold so large a sheet. `sheet` is copied.
+  explicit SheetRenderer(const Sheet& sheet);
+  ~SheetRenderer();
+  SheetRenderer(const SheetRenderer&) = delete;
+  SheetRenderer& operator=(const SheetRenderer&) = delete;
+
+  /// Clears the bound framebuffer (unless options.over) and draws one frame. `xyz` holds 3 * sheet.count() numbers
+  /// (anything else throws std::invalid_argument), uploaded once. `pixels` is the framebuffer's size; zero draws
+  /// nothing. The depth shading follows camera.watched(). Allocates nothing.
+  void draw(std::span<const float> xyz, const Camera& camera, glm::ivec2 pixels, const DrawOptions& options,
+            const std::optional<ShownPush>& push = std::nullopt);
+
+ private:
+  struct Body;
+  std::unique_ptr<Body> body_;
+};
+
+}  // namespace tyg

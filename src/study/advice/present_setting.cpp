@@ -1,0 +1,97 @@
+// Reading between rows, on logarithmic scales.
+#include "study/advice/present_setting.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tyg {
+namespace {
+
+using Kind = SettingPlace::Kind;
+
+bool held(const WorkRow& row) { return row.status == RowStatus::Ok && row.rmsError > 0 && row.seconds > 0; }
+bool failed(const WorkRow& row) { return row.status == RowStatus::Unstable || row.status == RowStatus::NotFinite; }
+
+/// Step or tolerance: what a ladder goes down by.
+double rungOf(const WorkRow& row, const Method& method) { return method.adaptive ? row.tolerance : row.dt; }
+
+/// On the straight line through two points in logarithms.
+double between(double x, double x0, double x1, double y0, double y1) {
+  const double share = std::log(x / x0) / std::log(x1 / x0);
+  return y0 * std::pow(y1 / y0, share);
+}
+
+/// From a row on, at the method's order. A step's cost is the same for each; an adaptive method's steps follow the
+/// (order + 1)-th root of its tolerance.
+SettingPlace followed(const WorkRow& row, const Method& method, double rung, Kind kind) {
+  const double ratio = rung / rungOf(row, method);
+  const double errorPower = method.adaptive ? 1 : method.order;
+  const double costPower = method.adaptive ? 1.0 / (method.order + 1) : 1;
+  return {.kind = kind,
+          .error = std::max(row.floor, row.rmsError * std::pow(ratio, errorPower)),
+          .seconds = row.seconds * std::pow(ratio, -costPower)};
+}
+
+}  // namespace
+
+SettingPlace placeOf(const std::vector<WorkRow>& rows, const Setting& setting) {
+  const Method& method = *setting.method;
+  const double rung = method.adaptive ? setting.tolerance : setting.dt;
+  constexpr double kSame = 1 + 1e-9;
+  const WorkRow *finer = nullptr,
+                *coarser = nullptr;  // the nearest on each side, with a row at the place itself as both
+  for (const WorkRow& row : rows) {
+    if (row.integrator != method.name || !(held(row) || failed(row))) continue;
+    const double here = rungOf(row, method);
+    if (here <= rung * kSame && (finer == nullptr || here > rungOf(*finer, method))) finer = &row;
+    if (here * kSame >= rung && (coarser == nullptr || here < rungOf(*coarser, method))) coarser = &row;
+  }
+  const bool past = !method.adaptive && setting.dt > setting.limit;
+  if (past || (finer != nullptr && failed(*finer))) {
+    return {.kind = Kind::Fails, .error = WorkRow::kNone, .seconds = WorkRow::kNone};
+  }
+  if (finer == nullptr) {
+    if (coarser == nullptr || failed(*coarser)) return {};
+    return followed(*coarser, method, rung, Kind::Finer);
+  }
+  if (coarser == nullptr || failed(*coarser)) {
+    if (rungOf(*finer, method) * kSame >= rung) return {Kind::Measured, finer->rmsError, finer->seconds};
+    return followed(*finer, method, rung, Kind::Coarser);
+  }
+  if (finer == coarser) return {Kind::Measured, finer->rmsError, finer->seconds};
+  const double x0 = rungOf(*finer, method), x1 = rungOf(*coarser, method);
+  return {Kind::Between, between(rung, x0, x1, finer->rmsError, coarser->rmsError),
+          between(rung, x0, x1, finer->seconds, coarser->seconds)};
+}
+
+std::vector<const WorkRow*> frontierOf(const std::vector<WorkRow>& rows) {
+  std::vector<const WorkRow*> order, frontier;
+  for (const WorkRow& row : rows) {
+    if (held(row)) order.push_back(&row);
+  }
+  std::ranges::stable_sort(order, {}, &WorkRow::seconds);
+  for (const WorkRow* row : order) {
+    if (frontier.empty() || row->rmsError < frontier.back()->rmsError) frontier.push_back(row);
+  }
+  return frontier;
+}
+
+BetterRows betterThan(const std::vector<WorkRow>& rows, const SettingPlace& place) {
+  constexpr double kClearlyCheaper = 0.9, kClearlyCloser = 0.5;
+  BetterRows better;
+  if (!(place.error > 0)) return better;
+  for (const WorkRow& row : rows) {
+    if (!held(row)) continue;
+    if (row.rmsError <= place.error && row.seconds <= kClearlyCheaper * place.seconds &&
+        (better.cheaper == nullptr || row.seconds < better.cheaper->seconds)) {
+      better.cheaper = &row;
+    }
+    if (row.seconds <= place.seconds && row.rmsError <= kClearlyCloser * place.error &&
+        (better.closer == nullptr || row.rmsError < better.closer->rmsError)) {
+      better.closer = &row;
+    }
+  }
+  return better;
+}
+
+}  // namespace tyg

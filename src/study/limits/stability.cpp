@@ -1,0 +1,162 @@
+// Step limits: the smallest over the waves of the unbounded lattice, over the modes of the finite sheet, and over what
+// any deformation can make of them.
+#include "study/limits/stability.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/spectrum/level_line.h"
+#include "core/spectrum/rest_spectrum.h"
+#include "study/limits/wave_search.h"
+
+namespace tyg {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kEveryStep = std::numeric_limits<double>::infinity();
+
+double finiteOrNone(double step) { return std::isfinite(step) ? step : kNone; }
+
+/// The magnitude of the larger root of a mode, 1/s.
+double fastRate(const Mode& mode) { return mode.discriminant() > 0 ? -rootsOf(mode)[0].real() : std::sqrt(mode.w2); }
+
+/// The mode of a wave that limits a method, as an index into Lattice::modes.
+std::size_t limitingMode(const Method& method, const std::array<Mode, 5>& modes) {
+  std::size_t worst = 0;
+  double smallest = kEveryStep;
+  const auto look = [&](std::size_t k) {
+    const double limit = method.stableStep(modes.at(k).w2, modes.at(k).d);
+    if (limit < smallest) worst = k, smallest = limit;
+  };
+  for (const std::size_t k : {0U, 1U, 2U}) look(k);
+  // The last two repeat the first two where a wave has one damping only.
+  if (modes[3].d != modes[0].d) look(3);
+  if (modes[4].d != modes[1].d) look(4);
+  return worst;
+}
+
+/// The wave of the lattice at rest that limits a method that has a limit of modes.
+LowestWave restWave(const Lattice& lattice, const Method& method) {
+  return lowestWave(lattice, [&](double qx, double qy) {
+    const std::array<Mode, 5> modes = lattice.modes(qx, qy);
+    const Mode& mode = modes.at(limitingMode(method, modes));
+    return method.stableStep(mode.w2, mode.d);
+  });
+}
+
+/// The smallest limit of any mode with 0 <= w2 <= most.w2 and 0 <= d <= most.d. Along a ray through the region a limit
+/// shrinks, so it lies on one of the two outer edges.
+double smallestWithin(const Method& method, const Mode& most) {
+  constexpr int kSamples = 2000;
+  double smallest = kEveryStep;
+  for (int k = 0; k <= kSamples; ++k) {
+    const double share = double(k) / kSamples;
+    smallest = std::min(
+        {smallest, method.stableStep(most.w2, share * most.d), method.stableStep(share * share * most.w2, most.d)});
+  }
+  constexpr double kBetweenSamples = 1e-3;
+  return (1 - kBetweenSamples) * smallest;
+}
+
+double limitOf(const Method& method, const Mode& mode) {
+  return mode.w2 > 0 || mode.d > 0 ? method.stableStep(mode.w2, mode.d) : kEveryStep;
+}
+
+/// The smallest limit of all roots mu, each taken as a mode of its own; those of rigid motions are 0 but for rounding.
+double limitOfRoots(const Method& method, const std::vector<std::complex<double>>& roots) {
+  double fastest = 0, smallest = kEveryStep;
+  for (const std::complex<double>& mu : roots) fastest = std::max(fastest, std::abs(mu));
+  for (const std::complex<double>& mu : roots) {
+    const double size = std::abs(mu);
+    if (size <= 1e-5 * fastest) continue;
+    constexpr double kRounding = 1e-9;
+    const double loss = -mu.real() > kRounding * size ? -mu.real() : 0;
+    const bool turns = std::abs(mu.imag()) > kRounding * size;
+    smallest = std::min(smallest, turns ? method.stableStep(size * size, 2 * loss) : limitOf(method, {0, loss}));
+  }
+  return smallest;
+}
+
+/// Follows the normals of the method's level lines from one mode to the mode that is farthest along them.
+double settledLimit(const Method& method, const RestSpectrum& spectrum, Mode mode, bool damped) {
+  double limit = kEveryStep;
+  for (int round = 0; round < 8; ++round) {
+    mode = spectrum.farthest(damped ? normalOfDamped(method, mode) : normalOfStiff(method, mode));
+    const double before = limit;
+    limit = limitOf(method, mode);
+    if (std::abs(before - limit) < 1e-7 * limit) break;
+  }
+  return limit;
+}
+
+/// Of the finite sheet at rest with its pins.
+double finiteSheetLimit(const Scene& scene, const Method& method, const Mode& ofLattice) {
+  const RestSpectrum spectrum(scene);
+  const Mode across = spectrum.mostDampedOutOfPlane();
+  const bool straight = hasStraightLevelLines(method, ofLattice.d);
+  if (!straight && scene.columns * scene.rows <= RestSpectrum::kMostDense) {
+    return limitOfRoots(method, spectrum.roots());
+  }
+  const double stiff = settledLimit(method, spectrum, ofLattice, false);
+  if (straight) return std::min(stiff, limitOf(method, across));
+  return std::min({stiff, limitOf(method, across), settledLimit(method, spectrum, ofLattice, true)});
+}
+
+}  // namespace
+
+double restLatticeLimit(const Scene& scene, const Method& method) {
+  if (method.stableStepOfScene != nullptr) return finiteOrNone(method.stableStepOfScene(scene));
+  if (method.stableStep == nullptr) return kNone;
+  return finiteOrNone(restWave(Lattice(scene), method).value);
+}
+
+double certifiedLimit(const Scene& scene, const Method& method) {
+  if (method.stableStep == nullptr) return kNone;
+  const Lattice lattice(scene);
+  const auto over = [&](const WaveFunction& function) { return lowestWave(lattice, function); };
+  const double mostD = -over([&](double qx, double qy) { return -lattice.anyDeformation(qx, qy).d; }).value;
+  if (hasStraightLevelLines(method, mostD)) {
+    return finiteOrNone(
+        over([&](double qx, double qy) { return limitOf(method, lattice.anyDeformation(qx, qy)); }).value);
+  }
+  const double mostW2 = -over([&](double qx, double qy) { return -lattice.anyDeformation(qx, qy).w2; }).value;
+  return finiteOrNone(smallestWithin(method, {mostW2, mostD}));
+}
+
+StepLimit stepLimit(const Scene& scene, const Method& method, bool quick) {
+  StepLimit limit;
+  limit.predicted = restLatticeLimit(scene, method);
+  limit.certified = certifiedLimit(scene, method);
+  if (std::isnan(limit.predicted)) return limit;
+  const Lattice lattice(scene);
+  if (method.stableStep == nullptr || limit.predicted == 0) {
+    // Where no step holds, the fastest wave grows first; where stages run out, the wave of the fastest root.
+    const bool byStages = limit.predicted > 0;
+    const LatticeWave wave =
+        extremeWave(lattice, [&](const Mode& mode) { return byStages ? fastRate(mode) : mode.w2; });
+    limit.qx = wave.qx, limit.qy = wave.qy, limit.mode = wave.mode;
+    limit.outOfPlane = byStages && wave.mode.w2 == 0;
+    limit.byDamping = byStages && wave.mode.discriminant() > 0;
+    return limit;
+  }
+  const LowestWave wave = restWave(lattice, method);
+  limit.qx = wave.qx, limit.qy = wave.qy;
+  const std::array<Mode, 5> modes = lattice.modes(wave.qx, wave.qy);
+  const std::size_t worst = limitingMode(method, modes);
+  limit.mode = modes.at(worst);
+  limit.outOfPlane = worst == Lattice::kOutOfPlane;
+  limit.byDamping = method.stableStep(0, limit.mode.d) < method.stableStep(limit.mode.w2, 0);
+  // Explicit Euler holds by the least ratio of damping to stiffness, which only a full spectrum tells.
+  const bool small = scene.columns * scene.rows <= RestSpectrum::kMostDense;
+  const bool isHeldByDamping = method.stableStep(limit.mode.w2, 0) == 0;
+  const bool known = scene.columns * scene.rows <= RestSpectrum::kMostParticles && (small || !isHeldByDamping);
+  if (known && !quick && limit.predicted > 0) {
+    const double own = finiteSheetLimit(scene, method, limit.mode);
+    limit.predicted = finiteOrNone(std::max(StepLimit::kBelowMeeting * own, std::min(own, limit.predicted)));
+  }
+  return limit;
+}
+
+}  // namespace tyg

@@ -1,0 +1,54 @@
+// How large a step may be: the limits that the springs of a sheet at rest, and in any deformation, set to a method.
+// Must not know: measured limits, clocks.
+#pragma once
+
+#include <string>
+
+#include "core/spectrum/lattice.h"
+#include "tyg/method.h"
+#include "tyg/scene.h"
+
+namespace tyg {
+
+/// Largest stable step (s) of a method over the waves of the scene's lattice at rest, damping and drag included. The
+/// lattice is taken as unbounded, so pins and edges can only make the true limit larger. 0 where no step is stable; NaN
+/// where the method has no limit or nothing on the sheet sets one (free fall).
+double restLatticeLimit(const Scene& scene, const Method& method);
+
+/// A step (s) up to which no deformation of the sheet makes the method unstable: each mode of the sheet as it is at any
+/// one time stays bounded. For symplectic Euler, leapfrog and report-rk4 from max over q of h^2 Lk + c h Ld <= 4 m
+/// (model, section 8); for imex the same with no damping; for Runge-Kutta methods the smallest limit of any mode with
+/// w2 <= max Lk / m and d <= max Ld / m, which every mode has whatever the springs' directions. 0 where no step can be
+/// certified; NaN where the method has no limit, or one that depends on the whole spectrum (rkc2). Springs that are
+/// compressed may buckle: that is motion, and no method's fault.
+double certifiedLimit(const Scene& scene, const Method& method);
+
+/// What limits a method in a scene, and which motion fails first.
+struct StepLimit {
+  /// Of the finite sheet's own limit: at that limit two roots of the limiting mode meet, and the mode grows step by
+  /// step though neither root does; this far below, it beats but does not grow.
+  static constexpr double kBelowMeeting = 0.998;
+
+  double predicted = 0;   ///< s: of the finite sheet at rest with its pins, the unbounded lattice's for large sheets; 0
+                          ///< and NaN as for restLatticeLimit
+  double certified = 0;   ///< s: of certifiedLimit
+  double qx = 0, qy = 0;  ///< phases of the wave that fails first, from column to column and row to row, [0, pi]
+  Mode mode;              ///< its frequency and damping
+  bool outOfPlane = false;  ///< does it move across the sheet?
+  bool byDamping = false;   ///< damping sets the limit rather than stiffness
+};
+/// `predicted` needs the sheet's spectrum: up to a second for 64 x 64 particles; with `quick` it is the unbounded
+/// lattice's.
+StepLimit stepLimit(const Scene& scene, const Method& method, bool quick = false);
+
+/// What the first failing motion looks like: `checkerboard`, `column stripes`, `row stripes`, `stripes` where it may be
+/// either, `rippled stripes`, `diagonal ripples`, `the whole sheet`, and in a chain `each against the next` or
+/// `ripples`; `none` where nothing fails.
+std::string appearanceOf(const Scene& scene, const StepLimit& limit);
+/// The same with the plane, the wave vector and the cause: `column stripes in plane, q = (3.14, 0.00), set by
+/// stiffness`.
+std::string describe(const Scene& scene, const StepLimit& limit);
+/// Why a method has no limit of its own; empty where it has one.
+std::string whyNoLimit(const Method& method);
+
+}  // namespace tyg

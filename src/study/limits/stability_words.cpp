@@ -1,0 +1,59 @@
+// What people read about a step limit: the look of the motion that fails first, and why some methods have none.
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "study/limits/stability.h"
+
+namespace tyg {
+namespace {
+
+enum class Phase { Same, Between, Opposite };  // of neighbours
+
+Phase phaseOf(double q) {
+  constexpr double kNear = 0.1 * std::numbers::pi;
+  if (q < kNear) return Phase::Same;
+  return q > std::numbers::pi - kNear ? Phase::Opposite : Phase::Between;
+}
+
+}  // namespace
+
+std::string appearanceOf(const Scene& scene, const StepLimit& limit) {
+  if (std::isnan(limit.predicted)) return "none";
+  const Phase x = phaseOf(limit.qx), y = phaseOf(limit.qy);
+  if (x == Phase::Same && y == Phase::Same) return "the whole sheet";
+  if (scene.columns == 1 || scene.rows == 1) {
+    return x == Phase::Opposite || y == Phase::Opposite ? "each against the next" : "ripples";
+  }
+  if (x == Phase::Opposite && y == Phase::Opposite) return "checkerboard";
+  const bool stripes = x == Phase::Same || y == Phase::Same;
+  if (!stripes) return x == Phase::Between && y == Phase::Between ? "diagonal ripples" : "rippled stripes";
+  // Where bend springs fit both ways the lattice looks the same along rows and columns.
+  const bool either = scene.columns > 2 && scene.rows > 2;
+  return either ? "stripes" : x == Phase::Same ? "row stripes" : "column stripes";
+}
+
+std::string describe(const Scene& scene, const StepLimit& limit) {
+  std::string look = appearanceOf(scene, limit);
+  if (look == "none") return look;
+  std::array<char, 100> q{};
+  std::snprintf(q.data(), q.size(), "q = (%.2f, %.2f)", limit.qx, limit.qy);
+  return look + (limit.outOfPlane ? " out of plane, " : " in plane, ") + q.data() +
+         (limit.byDamping ? ", set by damping" : ", set by stiffness");
+}
+
+std::string whyNoLimit(const Method& method) {
+  if (method.stableStep != nullptr || method.stableStepOfScene != nullptr) return "";
+  if (method.name == "backward-euler") {
+    return "the new velocity is solved for with springs that never push harder than they give, which shrinks every "
+           "mode at every step";
+  }
+  if (method.name == "xpbd") {
+    return "every spring is moved towards its length, never past it, whatever the step: large steps make it slack and "
+           "tired, not unstable";
+  }
+  return "no mode of the sheet sets one";
+}
+
+}  // namespace tyg

@@ -1,0 +1,119 @@
+// Bursts of steps, and what is made of their times.
+#include "study/work/cost.h"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "tyg/methods.h"
+
+namespace tyg {
+namespace {
+
+std::int64_t units(const Method& method, std::int64_t evaluations, std::int64_t steps) {
+  return method.evaluationsPerStep == 0 ? steps : evaluations;
+}
+
+/// Does a step's work depend on its length and on the state?
+bool workVaries(const Method& method) {
+  return method.stableStep == nullptr && method.stableStepOfScene == nullptr && method.evaluationsPerStep != 0;
+}
+
+/// A run that goes on burst by burst. Past a scene's end it goes on too, and past its alarm.
+class Bursts {
+ public:
+  Bursts(const Scene& scene, int threads, const CostMeter::Clock& clock)
+      : simulation_(scene, findMethod(scene.integrator), {.threads = threads, .keepGoing = true}),
+        clock_(clock),
+        threads_(threads) {
+    // So many ticks at once as make looking at the clock cheap, but a single one where that takes long: on a large
+    // sheet some methods solve equations for a tenth of a second.
+    constexpr std::int64_t kMostTicks = 64;
+    while (ticks_ < kMostTicks && secondsOf(ticks_) < kLongEnough) ticks_ *= 2;
+  }
+
+  /// Steps for kLongEnough, timed.
+  void again() {
+    const std::int64_t before = done();
+    double seconds = 0;
+    while (seconds < kLongEnough) seconds += secondsOf(ticks_);
+    perUnit_.push_back(seconds / static_cast<double>(std::max<std::int64_t>(done() - before, 1)));
+  }
+
+  /// The least of all bursts: the same work can only be disturbed to take longer. Solves are not the same work again
+  /// and again; of them it is the middle one.
+  [[nodiscard]] double secondsPerUnit() const {
+    std::vector<double> sorted = perUnit_;
+    std::ranges::sort(sorted);
+    return workVaries(simulation_.method()) ? sorted[sorted.size() / 2] : sorted.front();
+  }
+
+ private:
+  [[nodiscard]] std::int64_t done() const {
+    return units(simulation_.method(), simulation_.forceEvaluations(), simulation_.steps());
+  }
+
+  double secondsOf(std::int64_t ticks) {
+    const double start = clock_(threads_);
+    simulation_.tick(ticks);
+    return clock_(threads_) - start;
+  }
+
+  static constexpr double kLongEnough = 3e-4;  // s: hundreds of times what looking at a clock takes
+  Simulation simulation_;
+  const CostMeter::Clock& clock_;
+  int threads_;
+  std::int64_t ticks_ = 1;
+  std::vector<double> perUnit_;
+};
+
+/// Whatever a unit's cost depends on. The step counts only for methods whose solve depends on it.
+std::string keyOf(const Scene& scene, int threads) {
+  const Method& method = findMethod(scene.integrator);
+  std::ostringstream key;
+  key << scene.integrator << (scene.precision == Precision::Float ? " float " : " double ") << scene.columns << "x"
+      << scene.rows << " " << threads << (scene.damping == Damping::Axial ? " axial" : "")
+      << (scene.drag > 0 ? " drag" : "");
+  for (const SpringFamily& family : {scene.structural, scene.shear, scene.bend}) {
+    key << " " << (family.ks > 0) << (family.kd > 0);
+  }
+  // A Chebyshev method's stages follow its step too: long chains of them share what a step costs besides.
+  if (workVaries(method) || method.stableStepOfScene != nullptr) key << " " << scene.dt;
+  return key.str();
+}
+
+}  // namespace
+
+std::int64_t workOf(const Method& method, const SampledMotion& run) {
+  return units(method, run.forceEvaluations, run.steps);
+}
+
+CostMeter::CostMeter(Scene yardstick, int threads, Clock clock)
+    : yardstick_(std::move(yardstick)), threads_(threads), clock_(std::move(clock)) {}
+
+double CostMeter::secondsPerUnit(const Scene& scene, int threads) {
+  if (known_.empty()) {
+    constexpr int kFirstRounds = 40;
+    Bursts yardstick(yardstick_, threads_, clock_);
+    for (int round = 0; round < kFirstRounds; ++round) yardstick.again();
+    yardstickSeconds_ = known_[keyOf(yardstick_, threads_)] = yardstick.secondsPerUnit();
+  }
+  const std::string key = keyOf(scene, threads);
+  const auto found = known_.find(key);
+  if (found != known_.end()) return found->second;
+  return known_[key] = measured(scene, threads);
+}
+
+double CostMeter::measured(const Scene& scene, int threads) {
+  constexpr int kRounds = 20, kFewestRounds = 3;
+  constexpr double kLongEnough = 0.2;  // s: slow bursts need fewer repeats
+  Bursts yardstick(yardstick_, threads_, clock_), other(scene, threads, clock_);
+  const double start = clock_(threads);
+  for (int round = 0; round < kRounds && (round < kFewestRounds || clock_(threads) - start < kLongEnough); ++round) {
+    yardstick.again();
+    other.again();
+  }
+  return yardstickSeconds_ * other.secondsPerUnit() / yardstick.secondsPerUnit();
+}
+
+}  // namespace tyg

@@ -1,0 +1,45 @@
+// What work costs on this machine: seconds for one unit of a method's work, measured in short bursts that take turns
+// with a yardstick, so that a busy machine does not decide. Must not know: what the prices are for, which clock it is.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "study/motion/sampled_motion.h"
+#include "tyg/method.h"
+
+namespace tyg {
+
+/// Units of work of a run: its force evaluations, or its steps for a method that makes none.
+std::int64_t workOf(const Method& method, const SampledMotion& run);
+
+/// Seconds that one unit of work of a scene takes, by the scene's own method, step, precision, grid and terms.
+using UnitCost = std::function<double(const Scene& scene, int threads)>;
+
+/// Measures unit costs. Each is measured once and kept: the next question of the same kind gets the same answer.
+class CostMeter {
+ public:
+  /// s from any start, for work on so many threads. For one thread it had better be the time that the thread itself has
+  /// computed: other programs then do not count.
+  using Clock = std::function<double(int threads)>;
+
+  /// `yardstick` is what all others take turns with, on `threads` threads.
+  CostMeter(Scene yardstick, int threads, Clock clock);
+
+  /// s for one unit; `scene.integrator` must name a method that takes the scene (else InputError).
+  double secondsPerUnit(const Scene& scene, int threads);
+
+ private:
+  double measured(const Scene& scene, int threads);
+
+  Scene yardstick_;
+  int threads_;
+  Clock clock_;
+  double yardstickSeconds_ = 0;
+  std::map<std::string, double> known_;
+};
+
+}  // namespace tyg

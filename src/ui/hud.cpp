@@ -1,0 +1,207 @@
+// Layout of the text over the picture. Everything is drawn from a font size and the screen's size, so that it stays
+// readable and uncut at any scale. What stands at the foot of the window is in hud_foot.cpp.
+#include "ui/hud.h"
+
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "tyg/methods.h"
+#include "ui/fonts.h"
+
+namespace tyg {
+
+/// One of the two blocks of keys: left, driving; right, choices.
+struct Hud::Column {
+  float size = 0, left = 0, top = 0;
+  float keys = 0, width = 0;  ///< of the key names, of the whole block
+  int lines = 0;
+};
+
+namespace {
+
+constexpr float kTextPixels = 18, kLargeRatio = 1.5F, kLineRatio = 1.35F;
+/// Sizes of the text from the window's upper edge to the left keys: the title is there.
+constexpr float kAbove = 1 + 1.5F * kLineRatio;
+constexpr float kLeastFit = 0.55F;
+/// Of the window's width, for the keys on each side.
+constexpr float kKeysShare = 0.26F;
+ImVec2 extentOf(ImFont* font, float size, std::string_view text, float wrap = 0) {
+  return font->CalcTextSizeA(size, 1e6F, wrap, text.data(), text.data() + text.size());
+}
+
+void write(ImFont* font, float size, ImVec2 at, ImU32 colour, std::string_view text, float wrap = 0) {
+  ImGui::GetBackgroundDrawList()->AddText(font, size, at, colour, text.data(), text.data() + text.size(), wrap);
+}
+
+ImVec2 screenSize() { return ImGui::GetIO().DisplaySize; }
+
+bool isOn(const HelpLine& line, const Viewer& viewer) {
+  const DrawOptions& draw = viewer.drawOptions();
+  switch (line.action) {
+    case InputAction::ChooseMethod:
+      return &methods()[line.method] == &viewer.method();
+    case InputAction::ShowStructural:
+      return draw.structural;
+    case InputAction::ShowShear:
+      return draw.shear;
+    case InputAction::ShowBend:
+      return draw.bend;
+    case InputAction::ShowParticles:
+      return draw.particles;
+    case InputAction::ShowPins:
+      return draw.pins;
+    case InputAction::ShowGround:
+      return draw.ground;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+Hud::Hud(Window& window, double uiScale)
+    : window_(window),
+      size_(static_cast<float>(kTextPixels * uiScale * window.contentScale())),
+      help_(helpLines(methodNames())) {
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
+  font_ = addFont(*io.Fonts, size_);
+  large_ = addFont(*io.Fonts, size_ * kLargeRatio);
+  io.Fonts->Build();  // margin() measures texts before the first frame
+  window_.attachOverlay();
+  ImGui_ImplOpenGL3_Init("#version 330 core");
+}
+
+Hud::~Hud() {
+  ImGui_ImplOpenGL3_Shutdown();
+  window_.detachOverlay();
+  ImGui::DestroyContext();
+}
+
+Pen Hud::penFor(const Viewer& viewer) const {
+  return {ImGui::GetBackgroundDrawList(), font_, size_, viewer.drawOptions().background};
+}
+
+bool Hud::handle(const WindowEvent& event, Viewer& viewer) {
+  return buttons_.handle(event, viewer) || timeLine_.handle(event, viewer);
+}
+
+bool Hud::takes(const WindowEvent& event) const {
+  const ImGuiIO& io = ImGui::GetIO();
+  switch (event.kind) {
+    case WindowEvent::Kind::Press:
+      return !isMouse(event.key) && io.WantCaptureKeyboard;  // where the mouse is, the panels know better
+    case WindowEvent::Kind::Scroll:
+      return io.WantCaptureMouse;
+    default:
+      return false;
+  }
+}
+
+Hud::Column Hud::measure(bool choices) const {
+  Column column{.size = size_};
+  float help = 0;
+  for (const HelpLine& line : help_) {
+    if (isChoice(line.action) != choices) continue;
+    column.keys = std::max(column.keys, extentOf(font_, size_, line.keys).x);
+    help = std::max(help, extentOf(font_, size_, line.help).x);
+    ++column.lines;
+  }
+  column.keys += size_;
+  column.width = column.keys + help;
+  return column;
+}
+
+Hud::Column Hud::columnOf(bool choices, const ImVec2& screen) const {
+  Column column = measure(choices);
+  const Column other = measure(!choices);
+  const auto lines =
+      static_cast<float>(std::max(column.lines, other.lines) + 1);  // one for the gap between the choices
+  const float height = screen.y - (kAbove + kFoot) * size_;
+  const float width = size_ + std::max(column.width, other.width);
+  // A window too small for the keys gets smaller keys rather than cut ones, or keys over the cloth; a very low one
+  // those that fit and can be read.
+  const float fit =
+      std::min({1.0F, std::max(kLeastFit, height / (kLineRatio * size_ * lines)), kKeysShare * screen.x / width});
+  column.size *= fit, column.keys *= fit, column.width *= fit;
+  column.left = choices ? screen.x - size_ - column.width : size_;
+  column.top = choices ? size_ : size_ * kAbove;
+  return column;
+}
+
+int Hud::margin() const {
+  const Extent pixels = window_.framebuffer();
+  if (pixels.width <= 0 || pixels.height <= 0) return 0;
+  const ImVec2 screen{static_cast<float>(pixels.width), static_cast<float>(pixels.height)};
+  return static_cast<int>(std::max(columnOf(false, screen).width, columnOf(true, screen).width) + 2 * size_);
+}
+
+void Hud::draw(Viewer& viewer, Panels& panels) {
+  ImGui_ImplOpenGL3_NewFrame();
+  window_.beginOverlayFrame();
+  const Colours& colours = coloursOn(viewer.drawOptions().background);
+  const Pen pen = penFor(viewer);
+  const std::string_view title = viewer.simulation().scene().title;
+  pen.shade({size_, size_}, {size_ + pen.extent(title).x, 2 * size_});
+  pen.write({size_, size_}, colours.text, title);
+  const float free = drawFoot(viewer, panels);
+  if (viewer.showsHelp()) {
+    for (const bool choices : {false, true}) {
+      if (panels.width(choices ? Edge::Right : Edge::Left) == 0) drawKeys(viewer, colours, choices, free);
+    }
+  } else if (panels.width(Edge::Left) == 0) {
+    write(font_, size_, {size_, size_ * (1 + kLineRatio)}, colours.dim, "H shows the keys");
+  }
+  drawArrow(viewer, colours);
+  panels.draw(viewer);
+  ImGui::Render();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+/// As many lines as fit above `free`.
+void Hud::drawKeys(const Viewer& viewer, const Colours& colours, bool choices, float free) const {
+  const Column column = columnOf(choices, screenSize());
+  const float bottom = column.top + (kLineRatio * float(column.lines) + (choices ? 0.6F : 0)) * column.size;
+  penFor(viewer).shade({column.left, column.top}, {column.left + column.width, std::min(bottom, free - column.size)});
+  float y = column.top;
+  bool methodLines = choices;
+  for (const HelpLine& line : help_) {
+    if (isChoice(line.action) != choices) continue;
+    if (methodLines && line.action != InputAction::ChooseMethod) {
+      methodLines = false;
+      y += 0.6F * column.size;
+    }
+    if (y + kLineRatio * column.size > free) break;
+    const bool on = isOn(line, viewer);
+    write(font_, column.size, {column.left, y}, on ? colours.accent : colours.text, line.keys);
+    write(font_, column.size, {column.left + column.keys, y}, on ? colours.accent : colours.dim, line.help);
+    y += kLineRatio * column.size;
+  }
+}
+
+void Hud::drawArrow(const Viewer& viewer, const Colours& colours) const {
+  const ImVec2 screen = screenSize();
+  const auto arrow = edgeArrow(viewer.camera(), viewer.box(), {screen.x, screen.y}, 2 * size_);
+  if (!arrow) return;
+  const glm::vec2 back = arrow->tip - 1.6F * size_ * arrow->direction;
+  const glm::vec2 side = 0.8F * size_ * glm::vec2(-arrow->direction.y, arrow->direction.x);
+  const auto point = [](glm::vec2 p) { return ImVec2(p.x, p.y); };
+  ImGui::GetBackgroundDrawList()->AddTriangleFilled(point(arrow->tip), point(back - side), point(back + side),
+                                                    colours.accent);
+  constexpr std::string_view kLabel = "the cloth is there: F finds it";
+  const ImVec2 extent = extentOf(font_, size_, kLabel);
+  const glm::vec2 middle = back - arrow->direction * (size_ + 0.5F * extent.x * std::abs(arrow->direction.x));
+  const ImVec2 at{std::clamp(middle.x - 0.5F * extent.x, size_, std::max(size_, screen.x - extent.x - size_)),
+                  std::clamp(middle.y - 0.5F * size_, size_, std::max(size_, screen.y - 2 * size_))};
+  write(font_, size_, at, colours.accent, kLabel);
+}
+
+}  // namespace tyg

@@ -1,0 +1,84 @@
+// Numbering, cutting to even sizes, and the rhythm of frames; see keeper.h.
+#include "ui/keeper.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "util/whole_file.h"
+
+namespace tyg {
+namespace {
+
+constexpr std::array<const char*, 4> kEndings{".png", ".toml", ".csv", ".mp4"};
+/// A pause longer than this is not filmed, s: a window that was hidden leaves no standing picture.
+constexpr double kLongestGap = 1;
+
+/// The upper left part of a picture.
+void cut(const Picture& from, int width, int height, Picture& to) {
+  to.width = width, to.height = height;
+  to.rgba.resize(4 * std::size_t(width) * std::size_t(height));
+  for (int row = 0; row < height; ++row) {
+    const auto begin = from.rgba.begin() + 4 * std::ptrdiff_t(from.width) * row;
+    std::copy(begin, begin + 4 * std::ptrdiff_t(width), to.rgba.begin() + 4 * std::ptrdiff_t(width) * row);
+  }
+}
+
+}  // namespace
+
+/// The first number that no file has yet.
+std::string Keeper::freeStem(const std::string& sceneName) const {
+  const std::string name = "tyg-" + std::filesystem::path(sceneName).stem().string();
+  for (int number = 1;; ++number) {
+    std::string stem = name + "-" + std::to_string(number);
+    if (std::ranges::none_of(kEndings,
+                             [&](const char* end) { return std::filesystem::exists(folder_ / (stem + end)); }))
+      return stem;
+  }
+}
+
+std::string Keeper::keep(const Picture& picture, const PushLog& log) {
+  const std::string stem = freeStem(log.scene);
+  writePng(picture, folder_ / (stem + ".png"));
+  writeWholeFile(folder_ / (stem + ".toml"), log.sceneText);
+  writeWholeFile(folder_ / (stem + ".csv"), formatPushLog(log));
+  return stem + ".png is kept; tyg run --replay " + stem + ".csv does this run again.";
+}
+
+void Keeper::beginMovie(const std::string& sceneName, int width, int height) {
+  if (!haveFfmpeg()) throw InputError("movies need ffmpeg, which is not installed");
+  width_ = width / 2 * 2, height_ = height / 2 * 2;
+  movieName_ = freeStem(sceneName) + ".mp4";
+  frames_ = 0;
+  movie_ = std::make_unique<Movie>(folder_ / movieName_, width_, height_, kFramesPerSecond);
+}
+
+std::string Keeper::film(const Picture& picture, double now) {
+  if (!movie_) return {};
+  if (picture.width / 2 * 2 != width_ || picture.height / 2 * 2 != height_) return endMovie();
+  try {
+    if (frames_ > 0) {
+      began_ = std::max(began_, now - filmed() - kLongestGap);
+      const long due = std::lround((now - began_) * kFramesPerSecond);
+      for (; frames_ < due; ++frames_) movie_->add(frame_);
+    } else {
+      began_ = now;
+    }
+    cut(picture, width_, height_, frame_);
+    if (frames_ == 0) movie_->add(frame_), ++frames_;
+  } catch (...) {
+    movie_.reset();
+    throw;
+  }
+  return {};
+}
+
+std::string Keeper::endMovie() {
+  if (!movie_) return {};
+  const std::unique_ptr<Movie> movie = std::move(movie_);
+  if (frames_ == 0) return "The movie ended before it began: nothing was written.";
+  movie->finish();
+  return movieName_ + " is kept.";
+}
+
+}  // namespace tyg

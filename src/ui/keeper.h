@@ -1,0 +1,50 @@
+// What the window keeps in files on request: a picture, the run that leads to it, a movie. Nothing is overwritten:
+// names are numbered. Must not know: how pictures are drawn, which keys ask for them.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "gfx/movie.h"
+#include "tyg/push_log.h"
+#include "tyg/scene.h"
+
+namespace tyg {
+
+class Keeper {
+ public:
+  static constexpr double kFramesPerSecond = 30;
+
+  /// Files go into `folder`, which must exist by then; their names are tyg-SCENE-NUMBER.
+  explicit Keeper(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// Writes the picture, the scene as the run began it, and the run's log, which holds that scene as well. Returns one
+  /// sentence that names the files. Throws InputError where they cannot be written.
+  std::string keep(const Picture& picture, const PushLog& log);
+
+  /// Begins a movie of pictures `width` x `height` (odd ones lose a row or column of pixels). Throws InputError where
+  /// ffmpeg is missing or the file cannot be written.
+  void beginMovie(const std::string& sceneName, int width, int height);
+  /// What is seen at this time (s, of any clock): it is shown until the next one. A picture of another size ends the
+  /// movie. Returns a sentence where the movie has ended, else nothing. Throws InputError with what ffmpeg said.
+  std::string film(const Picture& picture, double now);
+  /// Returns a sentence that names the file. Throws InputError with what ffmpeg said.
+  std::string endMovie();
+  [[nodiscard]] bool filming() const { return movie_ != nullptr; }
+  [[nodiscard]] double filmed() const { return double(frames_) / kFramesPerSecond; }  ///< s
+  [[nodiscard]] const std::string& movieName() const { return movieName_; }           ///< of the last movie begun
+
+ private:
+  [[nodiscard]] std::string freeStem(const std::string& sceneName) const;
+
+  std::filesystem::path folder_;
+  std::unique_ptr<Movie> movie_;
+  std::string movieName_;
+  Picture frame_;
+  int width_ = 0, height_ = 0;
+  double began_ = 0;  ///< s
+  long frames_ = 0;
+};
+
+}  // namespace tyg

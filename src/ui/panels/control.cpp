@@ -1,0 +1,287 @@
+// See control.h. Each field shows the scene in use; what a person does to it makes a scene that is wanted. A change
+// that restarts the cloth waits until the mouse or the keyboard lets go of its field, one that does not is taken at
+// once.
+#include "ui/panels/control.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "tyg/methods.h"
+#include "ui/overlay.h"
+#include "util/text.h"
+#include "viewer/edits.h"
+#include "viewer/viewer.h"
+
+namespace tyg {
+namespace {
+
+constexpr double kShortestMs = 1e-3, kLongestMs = 100;      // of the step's slider
+constexpr double kFinestMm = 1e-7, kCoarsestMm = 100;       // of the tolerance's
+constexpr double kMostStiffness = 1e5, kMostDamping = 100;  // N/m, N s/m
+constexpr double kMostDrag = 1, kMostGravity = 100;         // N s/m, m/s2
+constexpr int kMostParticles = 512;                         // in a row or column, set by hand
+constexpr float kLabels = 4.6F;                             // width of the names, in sizes of the text
+constexpr int kLog = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp;
+
+void name(const char* text, float size) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(text);
+  ImGui::SameLine(kLabels * size + ImGui::GetStyle().WindowPadding.x);
+  ImGui::SetNextItemWidth(-1);
+}
+
+/// What the item drawn last is for.
+void tip(const PanelScope& scope, const std::string& text) {
+  if (scope.tips && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
+}
+
+void heading(const char* text, const char* explanation) {
+  ImGui::Separator();
+  ImGui::TextUnformatted(text);
+  ImGui::SameLine();
+  ImGui::TextDisabled("%s", explanation);
+}
+
+/// A logarithmic slider in the field's own unit: `scale` of them are one of the value's. True where it was moved.
+bool slider(const char* id, double& value, double scale, std::array<double, 2> range, const char* format) {
+  double shown = value * scale;
+  if (!ImGui::SliderScalar(id, ImGuiDataType_Double, &shown, range.data(), &range[1], format, kLog)) return false;
+  value = shown / scale;
+  return true;
+}
+
+class ControlPanel final : public Panel {
+ public:
+  void draw(const PanelScope& scope) override {
+    Viewer& viewer = scope.viewer;
+    Scene wanted = draft_.value_or(viewer.scene());
+    drawScene(scope, wanted);
+    drawEdits(scope, wanted);
+    heading("Motion", "changes at once");
+    drawStepping(scope, wanted);
+    drawSprings(scope, wanted);
+    drawWorld(scope, wanted);
+    heading("Sheet", "a change starts it anew");
+    drawSheet(scope, wanted);
+    take(viewer, wanted);
+    // After a start anew, which forgets notes.
+    if (!draft_ && !clamped_.empty()) viewer.note(std::exchange(clamped_, {}));
+  }
+
+ private:
+  void take(Viewer& viewer, const Scene& wanted) {
+    const SceneChange change = changeBetween(viewer.scene(), wanted);
+    draft_.reset();
+    if (change == SceneChange::None) return;
+    if (change != SceneChange::Live && ImGui::IsAnyItemActive()) {
+      draft_ = wanted;
+      return;
+    }
+    viewer.use(wanted);
+  }
+
+  static void drawScene(const PanelScope& scope, Scene& wanted) {
+    name("scene", scope.size);
+    if (!ImGui::BeginCombo("##scene", wanted.name.c_str(), ImGuiComboFlags_HeightLarge)) return;
+    for (const BuiltinScene& scene : builtinScenes()) {
+      const std::string text(scene.name);
+      if (ImGui::Selectable(text.c_str(), text == wanted.name)) wanted = loadScene(text, methodNames());
+    }
+    ImGui::EndCombo();
+  }
+
+  static void drawStepping(const PanelScope& scope, Scene& wanted) {
+    name("method", scope.size);
+    if (ImGui::BeginCombo("##method", wanted.integrator.c_str(), ImGuiComboFlags_HeightLarge)) {
+      for (const Method& method : methods()) {
+        const std::string text(method.name);
+        if (ImGui::Selectable(text.c_str(), text == wanted.integrator)) wanted.integrator = text;
+      }
+      ImGui::EndCombo();
+    }
+    const bool adaptive = findMethod(wanted.integrator).adaptive;
+    name(adaptive ? "tick" : "step", scope.size);
+    if (slider("##step", wanted.dt, 1e3, {kShortestMs, kLongestMs}, "%.4g ms")) {
+      wanted.dt = std::clamp(wanted.dt, kShortestMs * 1e-3, kLongestMs * 1e-3);
+    }
+    if (adaptive) {
+      tip(scope,
+          "between two looks; " + wanted.integrator + " chooses its own\nsteps in it, as small as the tolerance asks");
+    }
+    drawStepMargin(scope);
+    drawTolerance(scope, wanted);
+    drawPush(scope);
+  }
+
+  /// Along the slider's foot: green up to nine tenths of the limit, amber up to it, hatched beyond; it ends where the
+  /// slider's step is the limit.
+  static void drawStepMargin(const PanelScope& scope) {
+    const Margin& margin = scope.viewer.margin();
+    if (margin.band() == MarginBand::None || !(margin.limit > 0)) return;
+    const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+    const float grab = 0.5F * ImGui::GetStyle().GrabMinSize + 2;
+    const auto at = [&](double seconds) {
+      const double share = std::log(seconds * 1e3 / kShortestMs) / std::log(kLongestMs / kShortestMs);
+      return from.x + grab + static_cast<float>(std::clamp(share, 0.0, 1.0)) * (to.x - from.x - 2 * grab);
+    };
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float top = to.y - std::round(0.22F * scope.size), limit = at(margin.limit);
+    list.AddRectFilled({from.x, top}, {at(Margin::kClose * margin.limit), to.y}, scope.colours.good);
+    list.AddRectFilled({at(Margin::kClose * margin.limit), top}, {limit, to.y}, scope.colours.warning);
+    list.PushClipRect({limit, top}, to, true);
+    const float stride = 0.3F * scope.size;
+    for (int line = 0; line < static_cast<int>((to.x - limit) / stride); ++line) {
+      const float x = limit + static_cast<float>(line) * stride;
+      list.AddLine({x, to.y}, {x + to.y - top, top}, scope.colours.warning, 1.5F);
+    }
+    list.PopClipRect();
+    list.AddLine({limit, from.y}, {limit, to.y}, scope.colours.text, 2);
+    ImGui::Dummy({0, 0});
+    ImGui::SameLine(kLabels * scope.size + ImGui::GetStyle().WindowPadding.x);
+    // The foot of the window says more; here it is one line, so that nothing below it moves.
+    const Colours& colours = scope.colours;
+    const MarginBand band = margin.band();
+    const Colour colour = band == MarginBand::Fine    ? colours.dim
+                          : band == MarginBand::Close ? colours.warning
+                                                      : colours.past;
+    const ImVec4 ink = ImGui::ColorConvertU32ToFloat4(colour);
+    ImGui::TextColored(ink, "%.2f of the limit of %.3g ms", margin.share(), 1e3 * margin.limit);
+  }
+
+  static void drawTolerance(const PanelScope& scope, Scene& wanted) {
+    if (!findMethod(wanted.integrator).adaptive) return;
+    name("tolerance", scope.size);
+    if (!slider("##tolerance", wanted.tolerance, 1e3, {kFinestMm, kCoarsestMm}, "%.3g mm")) return;
+    wanted.tolerance = std::max(wanted.tolerance, kFinestMm * 1e-3);
+  }
+
+  static void drawPush(const PanelScope& scope) {
+    name("push", scope.size);
+    const double usual = scope.viewer.pushNewtons() / scope.viewer.pushFactor();
+    double factor = scope.viewer.pushFactor();
+    if (slider("##push", factor, usual, {0.01 * usual, 100 * usual}, "%.3g N")) scope.viewer.setPushFactor(factor);
+  }
+
+  void drawSheet(const PanelScope& scope, Scene& wanted) {
+    name("sheet", scope.size);
+    if (!typing_) size_ = {wanted.columns, wanted.rows};
+    ImGui::InputInt2("##sheet", size_.data());
+    typing_ = ImGui::IsItemActive();
+    const bool typed = ImGui::IsItemDeactivatedAfterEdit();
+    tip(scope, formatted("columns and rows of particles, %.4g mm apart", 1e3 * wanted.spacing));
+    if (typed) resize(scope.viewer, wanted);
+    name("precision", scope.size);
+    constexpr std::array kPrecisions{"float, 4 bytes", "double, 8 bytes"};
+    int precision = static_cast<int>(wanted.precision);
+    if (ImGui::Combo("##precision", &precision, kPrecisions.data(), int(kPrecisions.size()))) {
+      wanted.precision = static_cast<Precision>(precision);
+    }
+    name("damping", scope.size);
+    constexpr std::array kLaws{"of relative velocity", "along the spring"};
+    int law = static_cast<int>(wanted.damping);
+    if (ImGui::Combo("##law", &law, kLaws.data(), int(kLaws.size()))) wanted.damping = static_cast<Damping>(law);
+  }
+
+  /// What does not fit is told.
+  void resize(Viewer& viewer, Scene& wanted) {
+    for (const std::size_t k : {0U, 1U}) {
+      const int typed = std::exchange(size_.at(k), std::clamp(size_.at(k), 1, kMostParticles));
+      if (typed == size_.at(k)) continue;
+      if (!clamped_.empty()) clamped_ += ", ";
+      clamped_ += formatted("%s: %d is the %s", k == 0 ? "columns" : "rows", size_.at(k), typed < 1 ? "least" : "most");
+    }
+    try {
+      wanted = withSheet(wanted, size_[0], size_[1]);
+    } catch (const InputError& error) {
+      viewer.warn(error.what());
+    }
+  }
+
+  static void drawSprings(const PanelScope& scope, Scene& wanted) {
+    if (!ImGui::BeginTable("springs", 3, ImGuiTableFlags_SizingStretchSame)) return;
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed,
+                            kLabels * scope.size - ImGui::GetStyle().CellPadding.x);
+    ImGui::TableSetupColumn("stiffness");
+    ImGui::TableSetupColumn("damping");
+    ImGui::TableNextRow();
+    for (int column = 1; column < 3; ++column) {
+      ImGui::TableSetColumnIndex(column);
+      ImGui::TextDisabled("%s", column == 1 ? "stiffness, N/m" : "damping, N s/m");
+    }
+    family("structural", wanted.structural), family("shear", wanted.shear), family("bend", wanted.bend);
+    ImGui::EndTable();
+  }
+
+  static void family(const char* text, SpringFamily& springs) {
+    ImGui::PushID(text);
+    ImGui::TableNextRow();
+    ImGui::TableSetColumnIndex(0);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text);
+    ImGui::TableSetColumnIndex(1);
+    ImGui::SetNextItemWidth(-1);
+    slider("##ks", springs.ks, 1, {0, kMostStiffness}, "%.4g");
+    ImGui::TableSetColumnIndex(2);
+    ImGui::SetNextItemWidth(-1);
+    slider("##kd", springs.kd, 1, {0, kMostDamping}, "%.3g");
+    ImGui::PopID();
+  }
+
+  static void drawWorld(const PanelScope& scope, Scene& wanted) {
+    name("gravity", scope.size);
+    std::array<double, 3> gravity{wanted.gravity.x, wanted.gravity.y, wanted.gravity.z};
+    constexpr double kLow = -kMostGravity;
+    if (ImGui::DragScalarN("##gravity", ImGuiDataType_Double, gravity.data(), 3, 0.05F, &kLow, &kMostGravity,
+                           "%.4g m/s\u00b2", ImGuiSliderFlags_AlwaysClamp)) {
+      wanted.gravity = {gravity[0], gravity[1], gravity[2]};
+    }
+    tip(scope, "along x, y (up) and z");
+    name("air drag", scope.size);
+    slider("##drag", wanted.drag, 1, {0, kMostDrag}, "%.3g N s/m");
+  }
+
+  void drawEdits(const PanelScope& scope, Scene& wanted) {
+    Viewer& viewer = scope.viewer;
+    bool edited = false;
+    const auto button = [&edited, &scope](const char* text, const char* says, bool usable) {
+      if (!usable) ImGui::BeginDisabled();
+      const bool pressed = ImGui::Button(text);
+      tip(scope, says);
+      if (!usable) ImGui::EndDisabled();
+      ImGui::SameLine();
+      edited = edited || pressed;
+      return pressed;
+    };
+    if (button("Undo", "Ctrl+Z", scope.edits.canUndo())) scope.edits.undo(viewer);
+    if (button("Redo", "Ctrl+Y or Ctrl+Shift+Z", scope.edits.canRedo())) scope.edits.redo(viewer);
+    if (button("Reset", "as it was opened", scope.edits.canReset(viewer))) scope.edits.reset(viewer);
+    if (edited) wanted = viewer.scene();
+    if (button("Save .toml", "into the folder that tyg was started in", true)) save(viewer);
+    ImGui::NewLine();
+  }
+
+  static void save(Viewer& viewer) {
+    try {
+      viewer.note(saveScene(viewer).string() + " is kept.");
+    } catch (const std::exception& error) {
+      viewer.warn(error.what());
+    }
+  }
+
+  std::optional<Scene> draft_;  ///< what a held field has come to
+  std::array<int, 2> size_{};   ///< of the sheet, as typed
+  bool typing_ = false;
+  std::string clamped_;  ///< what was typed beyond what the sheet's size may be
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> makeControlPanel() { return std::make_unique<ControlPanel>(); }
+
+}  // namespace tyg

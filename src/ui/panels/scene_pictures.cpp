@@ -1,0 +1,78 @@
+// See scene_pictures.h.
+#include "ui/panels/scene_pictures.h"
+
+#include <algorithm>
+#include <exception>
+
+#include "gfx/passes/sheet_renderer.h"
+#include "study/motion/telling_moment.h"
+#include "tyg/methods.h"
+#include "view/box.h"
+#include "view/camera.h"
+
+namespace tyg {
+
+ScenePictures::ScenePictures(int width, int height) : width_(width), height_(height) {
+  for (const BuiltinScene& scene : builtinScenes()) {
+    entries_.emplace_back().scene = loadScene(std::string(scene.name), methodNames());
+  }
+}
+
+bool ScenePictures::finished() const { return finished_; }
+
+bool ScenePictures::due(const Entry& entry, Background background) const {
+  if (!entry.trouble.empty()) return false;
+  return !entry.simulated || (PictureTexture::possible() && (!entry.picture || entry.drawnOn != background));
+}
+
+void ScenePictures::work(double seconds, const Clock& clock, Background background) {
+  const double deadline = clock() + seconds;
+  for (Entry& entry : entries_) {
+    finished_ = false;
+    if (!due(entry, background)) continue;
+    try {
+      if (!entry.simulated) simulate(entry, deadline, clock);
+      if (entry.simulated && PictureTexture::possible()) draw(entry, background);
+    } catch (const std::exception& error) {
+      entry.simulation.reset();
+      entry.trouble = error.what();
+    }
+    if (clock() >= deadline) break;
+  }
+  finished_ = std::ranges::none_of(entries_, [&](const Entry& entry) { return due(entry, background); });
+}
+
+/// Up to the telling moment, or as far as the cloth is worth showing: some scenes fail on purpose.
+void ScenePictures::simulate(Entry& entry, double deadline, const Clock& clock) {
+  if (!entry.simulation) {
+    entry.simulation.emplace(entry.scene, findMethod(entry.scene.integrator), Settings{.threads = 1});
+    entry.xyz.resize(static_cast<std::size_t>(3 * entry.simulation->sheet().count()));
+    entry.simulation->copyPositions(entry.xyz);
+  }
+  Simulation& simulation = *entry.simulation;
+  const double moment = tellingMoment(entry.scene);
+  simulation.observe([&] {
+    if (simulation.status() == Status::Ok) simulation.copyPositions(entry.xyz);
+    return clock() < deadline;
+  });
+  simulation.advanceTo(moment);
+  simulation.observe({});
+  if (simulation.status() == Status::Ok) simulation.copyPositions(entry.xyz);
+  entry.simulated = simulation.status() != Status::Ok || simulation.time() >= moment * (1 - 1e-9);
+  if (entry.simulated) entry.simulation.reset();
+}
+
+void ScenePictures::draw(Entry& entry, Background background) const {
+  if (!entry.picture) entry.picture = std::make_unique<PictureTexture>(width_, height_);
+  Camera camera;
+  const Box box = boxAround(entry.xyz);
+  camera.watch(box);
+  camera.frame(box, static_cast<float>(width_) / static_cast<float>(height_));
+  SheetRenderer renderer(makeSheet(entry.scene));
+  DrawOptions options;
+  options.background = background;
+  entry.picture->draw([&] { renderer.draw(entry.xyz, camera, {width_, height_}, options); });
+  entry.drawnOn = background;
+}
+
+}  // namespace tyg

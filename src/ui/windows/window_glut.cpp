@@ -1,0 +1,239 @@
+// The window by freeglut. It calls back without a place for our data, ends the process where it meets trouble, and
+// says nothing of lost focus: an X connection of our own asks first, and watches the focus.
+// Must not know: the cloth, what a key means.
+#include <glad/gl.h>
+// glad first: freeglut must not bring an OpenGL header of its own.
+#include <GL/freeglut.h>
+#include <X11/Xlib.h>
+#include <backends/imgui_impl_glut.h>
+#include <imgui.h>
+#include <poll.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+#include <thread>
+#include <vector>
+
+#include "ui/windows/window.h"
+
+// Xlib's macro would hide everything of that name.
+#undef None
+
+namespace tyg {
+namespace {
+
+constexpr int kSamples = 4;
+constexpr std::size_t kEventsToExpect = 256;
+/// Between looks at the focus while a key is down.
+constexpr std::chrono::milliseconds kNap{5};
+
+/// Nothing may be thrown through freeglut's C frames, and it cannot go on: this is where it ends.
+[[noreturn]] void endHere(const char* reason) {
+  std::fprintf(stderr,
+               "tyg view: this display gives no OpenGL 3.3 window (freeglut: %s); tyg render draws without one\n",
+               reason);
+  std::_Exit(1);
+}
+void onGlutError(const char* format, va_list arguments) {
+  std::array<char, 512> text{};
+  std::vsnprintf(text.data(), text.size(), format, arguments);
+  endHere(text.data());
+}
+int onXError(::Display* display, XErrorEvent* error) {
+  std::array<char, 256> text{};
+  XGetErrorText(display, error->error_code, text.data(), static_cast<int>(text.size()));
+  endHere(text.data());
+}
+
+struct CloseDisplay {
+  void operator()(::Display* display) const { XCloseDisplay(display); }
+};
+using DisplayHandle = std::unique_ptr<::Display, CloseDisplay>;
+
+DisplayHandle connect() {
+  DisplayHandle display(XOpenDisplay(nullptr));
+  if (!display) throw NoDisplay("no display to open a window on (no X server answers)");
+  int opcode = 0, event = 0, error = 0;
+  if (XQueryExtension(display.get(), "GLX", &opcode, &event, &error) == 0) {
+    throw WindowError("this display gives no OpenGL 3.3 window (it has no GLX)");
+  }
+  return display;
+}
+
+class GlutWindow;
+GlutWindow* theWindow = nullptr;
+
+class GlutWindow final : public Window {
+ public:
+  explicit GlutWindow(const WindowOptions& options) : display_(connect()) {
+    if (theWindow != nullptr) throw WindowError("only one window at a time");
+    events_.reserve(kEventsToExpect);
+    open(options);
+    theWindow = this;
+    setCallbacks();
+  }
+  ~GlutWindow() override {
+    theWindow = nullptr;
+    if (!closed_) glutDestroyWindow(window_);
+    glutExit();
+  }
+  GlutWindow(const GlutWindow&) = delete;
+  GlutWindow& operator=(const GlutWindow&) = delete;
+
+  std::span<const WindowEvent> events(double seconds) override {
+    using Clock = std::chrono::steady_clock;
+    const auto deadline = Clock::now() + std::chrono::duration<double>(seconds);
+    events_.clear();
+    for (;;) {
+      glutMainLoopEvent();
+      watchFocus();
+      const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
+      if (closed_ || !events_.empty() || left.count() <= 0) return events_;
+      waitForServer(keysDown_ > 0 ? std::min(kNap, left) : left);
+    }
+  }
+  void swap() override {
+    if (!closed_) glutSwapBuffers();
+  }
+  void setTitle(const std::string& title) override {
+    if (!closed_) glutSetWindowTitle(title.c_str());
+  }
+  [[nodiscard]] Extent framebuffer() const override {
+    if (closed_ || hidden_) return {};
+    return {.width = glutGet(GLUT_WINDOW_WIDTH), .height = glutGet(GLUT_WINDOW_HEIGHT)};
+  }
+  [[nodiscard]] double contentScale() const override { return 1; }
+  [[nodiscard]] bool closeRequested() const override { return closed_; }
+
+  void attachOverlay() override {
+    ImGui_ImplGLUT_Init();
+    const Extent size = framebuffer();
+    ImGui_ImplGLUT_ReshapeFunc(size.width, size.height);
+    overlay_ = true;
+  }
+  void beginOverlayFrame() override {
+    ImGui_ImplGLUT_NewFrame();
+    if constexpr (IMGUI_VERSION_NUM >= 18960) ImGui::NewFrame();  // older ones start the frame in the line above
+  }
+  void detachOverlay() override {
+    overlay_ = false;
+    ImGui_ImplGLUT_Shutdown();
+  }
+
+ private:
+  void open(const WindowOptions& options) {
+    int count = 1;
+    std::array<char, 4> name{"tyg"};
+    std::array<char*, 2> arguments{name.data(), nullptr};
+    glutInitErrorFunc(onGlutError);
+    const XErrorHandler before = XSetErrorHandler(onXError);
+    glutInit(&count, arguments.data());
+    glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_CONTINUE_EXECUTION);
+    glutSetOption(GLUT_MULTISAMPLE, kSamples);
+    glutInitContextVersion(3, 3);
+    glutInitContextProfile(GLUT_CORE_PROFILE);
+    constexpr unsigned kMode = GLUT_RGBA | GLUT_DOUBLE | GLUT_DEPTH;
+    glutInitDisplayMode(kMode | GLUT_MULTISAMPLE);
+    if (glutGet(GLUT_DISPLAY_MODE_POSSIBLE) == 0) glutInitDisplayMode(kMode);  // some displays have no multisampling
+    glutInitWindowSize(options.size.width, options.size.height);
+    window_ = glutCreateWindow(options.title.c_str());
+    XSetErrorHandler(before);
+    if (gladLoadGL(loadFunction) == 0) throw WindowError("this display's OpenGL 3.3 functions cannot be loaded");
+  }
+  static GLADapiproc loadFunction(const char* name) { return glutGetProcAddress(name); }
+
+  static void setCallbacks() {
+    glutIgnoreKeyRepeat(1);
+    glutDisplayFunc([] { theWindow->events_.push_back({.kind = WindowEvent::Kind::Exposed}); });
+    glutReshapeFunc([](int width, int height) {
+      if (theWindow->overlay_) ImGui_ImplGLUT_ReshapeFunc(width, height);
+    });
+    glutWindowStatusFunc([](int status) { theWindow->hidden_ = status == GLUT_HIDDEN; });
+    glutCloseFunc([] {
+      if (theWindow != nullptr) theWindow->closed_ = true;
+    });
+    glutKeyboardFunc([](unsigned char key, int x, int y) {
+      if (theWindow->overlay_) ImGui_ImplGLUT_KeyboardFunc(key, x, y);
+      theWindow->key(WindowEvent::Kind::Press, key);
+    });
+    glutKeyboardUpFunc([](unsigned char key, int x, int y) {
+      if (theWindow->overlay_) ImGui_ImplGLUT_KeyboardUpFunc(key, x, y);
+      theWindow->key(WindowEvent::Kind::Release, key);
+    });
+    glutMouseFunc([](int button, int state, int x, int y) { theWindow->button(button, state, x, y); });
+    glutMouseWheelFunc([](int wheel, int direction, int x, int y) {
+      if (theWindow->overlay_) ImGui_ImplGLUT_MouseWheelFunc(wheel, direction, x, y);
+      theWindow->events_.push_back({.kind = WindowEvent::Kind::Scroll, .key = kWheel, .notches = double(direction)});
+    });
+    glutMotionFunc(onMove);
+    glutPassiveMotionFunc(onMove);
+  }
+
+  static void onMove(int x, int y) {
+    if (theWindow->overlay_) ImGui_ImplGLUT_MotionFunc(x, y);
+    theWindow->events_.push_back({.kind = WindowEvent::Kind::Move, .x = double(x), .y = double(y)});
+  }
+  void button(int button, int state, int x, int y) {
+    constexpr std::array kButtons{kLeftButton, kMiddleButton, kRightButton};  // freeglut's order
+    if (overlay_) ImGui_ImplGLUT_MouseFunc(button, state, x, y);
+    if (button < 0 || button > 2) return;
+    const auto kind = state == GLUT_DOWN ? WindowEvent::Kind::Press : WindowEvent::Kind::Release;
+    const KeyCode code = kButtons[static_cast<std::size_t>(button)];
+    events_.push_back({.kind = kind, .key = code, .x = double(x), .y = double(y)});
+  }
+  void key(WindowEvent::Kind kind, unsigned char character) {
+    const int modifiers = glutGetModifiers();
+    const bool control = (modifiers & GLUT_ACTIVE_CTRL) != 0;
+    // freeglut gives control and Z as the 26th character.
+    if (control && character >= 1 && character <= 26) character = static_cast<unsigned char>(character + '@');
+    const bool lower = character >= 'a' && character <= 'z';
+    const auto code = static_cast<KeyCode>(lower ? character - 'a' + 'A' : character);
+    // Control characters below space would read as mouse buttons.
+    if (character < ' ' && code != kEscapeKey && code != kEnterKey && code != kTabKey) return;
+    keysDown_ += kind == WindowEvent::Kind::Press ? 1 : -1;
+    if (keysDown_ <= 0) keysDown_ = 0;
+    if (keysDown_ == 1 && kind == WindowEvent::Kind::Press) focus_ = focusNow();
+    events_.push_back({.kind = kind, .key = code, .control = control, .shift = (modifiers & GLUT_ACTIVE_SHIFT) != 0});
+  }
+
+  /// freeglut cannot wait for an event by itself: its connection to the server is that of the current context.
+  static void waitForServer(std::chrono::milliseconds longest) {
+    using CurrentDisplay = ::Display* (*)();
+    static const auto currentDisplay = reinterpret_cast<CurrentDisplay>(glutGetProcAddress("glXGetCurrentDisplay"));
+    ::Display* display = currentDisplay != nullptr ? currentDisplay() : nullptr;
+    if (display == nullptr) return std::this_thread::sleep_for(std::min(kNap, longest));
+    if (XPending(display) > 0) return;
+    pollfd connection{.fd = ConnectionNumber(display), .events = POLLIN, .revents = 0};
+    poll(&connection, 1, static_cast<int>(longest.count()));
+  }
+
+  [[nodiscard]] ::Window focusNow() const {
+    ::Window focus = 0;
+    int revertTo = 0;
+    XGetInputFocus(display_.get(), &focus, &revertTo);
+    return focus;
+  }
+  /// While a key is down, the focus must stay where it was when the key went down.
+  void watchFocus() {
+    if (keysDown_ == 0 || focusNow() == focus_) return;
+    keysDown_ = 0;
+    events_.push_back({.kind = WindowEvent::Kind::FocusLost});
+  }
+
+  DisplayHandle display_;
+  int window_ = 0;
+  std::vector<WindowEvent> events_;
+  ::Window focus_ = 0;
+  int keysDown_ = 0;
+  bool closed_ = false, hidden_ = false, overlay_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Window> openGlutWindow(const WindowOptions& options) { return std::make_unique<GlutWindow>(options); }
+
+}  // namespace tyg

@@ -1,0 +1,17 @@
+// Names for results that are kept without being asked for a name.
+// Must not know: what is in the files.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace tyg {
+
+/// A name for results in the current folder: that of the scene without its folder and without .toml.
+std::string fileStem(const std::string& sceneName);
+/// What follows the last dot, with it, in small letters: `.png` of `A.PNG`.
+std::string endingOf(const std::filesystem::path& path);
+/// STEM.ENDING in this folder, or STEM-2.ENDING and so on: the first of these names that nothing has yet.
+std::filesystem::path freeName(const std::filesystem::path& folder, const std::string& stem, const std::string& ending);
+
+}  // namespace tyg

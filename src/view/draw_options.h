@@ -1,0 +1,44 @@
+// What of a cloth is drawn and how: families of springs, discs, ground, colours, a push.
+// Must not know: OpenGL, windows, the simulation.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include <glm/glm.hpp>
+
+#include "tyg/scene.h"
+#include "view/colour_ramp.h"
+
+namespace tyg {
+
+/// Colours of the spring lines by a number instead of by family.
+struct Colouring {
+  enum class By { Family, Particle, Strain };
+  By by = By::Family;
+  Ramp ramp = Ramp::Growing;
+  float low = 0, high = 1;  ///< the numbers at both ends of the ramp; beyond them its ends go on
+  std::span<const float>
+      values{};  ///< Particle: one number for each, valid while it is drawn; any other count: by family
+};
+
+/// What is drawn and how.
+struct DrawOptions {
+  bool structural = true, shear = false, bend = false;  ///< families of springs, as lines
+  bool particles = false, pins = true;                  ///< as discs
+  bool ground = true;
+  Background background = Background::Dark;
+  float lineWidth = 1.8F;         ///< pixels, > 0, where the mesh is coarse; thinner and fainter where it is dense
+  std::optional<glm::vec3> mesh;  ///< colour of the structural lines, red green blue 0..1; none: the background's own
+  bool over = false;              ///< keep what is in the framebuffer and draw the cloth into it (and no ground)
+  float opacity = 1;              ///< of the spring lines, 0..1
+  Colouring colouring{};
+};
+
+/// A push as shown: an arrow on a particle along a force (N).
+struct ShownPush {
+  int particle = 0;
+  Vec3 force;
+};
+
+}  // namespace tyg

@@ -1,0 +1,89 @@
+// See cure.h.
+#include "viewer/cure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/limits/stability.h"
+#include "tyg/methods.h"
+#include "util/text.h"
+
+namespace tyg {
+namespace {
+
+constexpr double kSafeShare = 0.9;  // of the limit
+
+std::string name(const Method& method) { return std::string(method.name); }
+
+bool chooses(const Simulation& simulation) { return simulation.method().adaptive && simulation.scene().tolerance > 0; }
+
+std::string whatBroke(const Simulation& simulation) {
+  const std::string with = chooses(simulation) ? formatted("a tolerance of %.4g mm", 1e3 * simulation.scene().tolerance)
+                                               : formatted("a step of %.4g ms", 1e3 * simulation.dt());
+  const bool finite = simulation.status() == Status::Unstable;
+  return name(simulation.method()) + " with " + with +
+         (finite ? " became unstable" : " left the numbers that can be computed with") +
+         formatted(" at %.3f s", simulation.alarmTime());
+}
+
+std::string cause(const Simulation& simulation, double limit) {
+  if (chooses(simulation) || !std::isfinite(limit)) return "";
+  if (limit == 0) return ": no step holds with so little damping";
+  if (limit <= simulation.dt()) return formatted(": its limit is %.3g ms", 1e3 * limit);
+  return formatted(": it kept its limit of %.3g ms at rest, but this cloth is far from rest", 1e3 * limit);
+}
+
+std::string waysOut(const Simulation& simulation, const Cure& cure) {
+  const std::string other = cure.method != nullptr ? name(*cure.method) : "";
+  const std::string holds = other.empty() ? "" : other + ", which holds with this step";
+  if (cure.step > 0) {
+    return formatted("; take a step of %.3g ms", 1e3 * cure.step) + (holds.empty() ? "" : ", or " + holds) + ".";
+  }
+  if (!holds.empty()) return "; take " + holds + ".";
+  return chooses(simulation) ? "; take a smaller tolerance." : ".";
+}
+
+}  // namespace
+
+double roundedDown(double step) {
+  const double unit = std::pow(10.0, std::floor(std::log10(step)) - 1);
+  return std::floor(step / unit * (1 + 1e-12)) * unit;
+}
+
+const Method* methodThatHolds(const Scene& scene, const Method& failed, double step, double share) {
+  for (const Method& method : methods()) {
+    const double limit = share * restLatticeLimit(scene, method);
+    if (method.name != failed.name && !(limit < 1.05 * step) && takes(method, scene)) return &method;
+  }
+  return nullptr;
+}
+
+double safeStep(double limit) { return !std::isfinite(limit) || limit <= 0 ? 0 : roundedDown(kSafeShare * limit); }
+
+Cure findCure(const Simulation& simulation, double limit) {
+  Cure cure;
+  const double step = simulation.dt();
+  const double rest = restLatticeLimit(simulation.scene(), simulation.method());
+  // A cloth that broke below its limit at rest is so stretched that other methods' limits at rest say too much as well.
+  const double share = rest > step && !chooses(simulation) ? std::min(limit, step) / rest : 1;
+  cure.method = methodThatHolds(simulation.scene(), simulation.method(), step, share);
+  if (chooses(simulation) || limit == 0) return cure;
+  // A limit that was kept and broke all the same says too much: half of the step that broke is the next best guess.
+  cure.step = limit <= step ? safeStep(limit) : roundedDown(step / 2);
+  return cure;
+}
+
+std::string describeFailure(const Simulation& simulation, double limit, const Cure& cure) {
+  return whatBroke(simulation) + cause(simulation, limit) + waysOut(simulation, cure);
+}
+
+std::string describeStall(const Simulation& simulation, double seconds, const Cure& cure) {
+  const std::string holds =
+      cure.method != nullptr ? "; take " + name(*cure.method) + ", which holds with this step." : ".";
+  return name(simulation.method()) +
+         formatted(" came to a stand at %.3f s: in %.3g s of computing, ", simulation.time(), seconds) +
+         formatted("the steps that its tolerance of %.4g mm asks for ", 1e3 * simulation.scene().tolerance) +
+         formatted("did not reach the end of a tick of %.4g ms", 1e3 * simulation.dt()) + holds;
+}
+
+}  // namespace tyg

@@ -1,0 +1,33 @@
+// See edits.h.
+#include "viewer/edits.h"
+
+#include "core/scene/scene_writer.h"
+#include "util/file_names.h"
+#include "util/whole_file.h"
+
+namespace tyg {
+
+void Edits::follow(const Viewer& viewer) {
+  if (viewer.seeking() || viewer.timeline().past || viewer.keyHeld()) return;  // in the past: it was set then, not now
+  originals_.try_emplace(viewer.scene().name, viewer.scene());
+  const Setup& known = versions_.present();  // compared where it is: a frame copies no scene
+  if (known.scene != viewer.scene() || known.pushFactor != viewer.pushFactor()) versions_.note(setupOf(viewer));
+}
+
+const Scene& Edits::original(const Viewer& viewer) const {
+  const auto found = originals_.find(viewer.scene().name);
+  return found == originals_.end() ? viewer.scene() : found->second;
+}
+
+void Edits::apply(const Setup& setup, Viewer& viewer) {
+  viewer.use(setup.scene);
+  viewer.setPushFactor(setup.pushFactor);
+}
+
+std::filesystem::path saveScene(const Viewer& viewer) {
+  std::filesystem::path path = freeName("", fileStem(viewer.scene().name), ".toml");
+  writeWholeFile(path, sceneToToml(viewer.scene()));
+  return path;
+}
+
+}  // namespace tyg

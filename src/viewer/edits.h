@@ -1,0 +1,52 @@
+// What a person has changed in a running window, by whatever means, so that it can be undone, done again, taken back to
+// the scene's own values and kept as a file. Must not know: windows, widgets.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "viewer/undo.h"
+#include "viewer/viewer.h"
+
+namespace tyg {
+
+/// Everything that can be set in the window.
+struct Setup {
+  Scene scene;
+  double pushFactor = 1;
+  bool operator==(const Setup&) const = default;
+};
+
+class Edits {
+ public:
+  explicit Edits(const Viewer& viewer) : versions_(setupOf(viewer)) { follow(viewer); }
+
+  /// Once a frame, but not while a slider is held: what then differs from before is one change. So is what a key does
+  /// until it is let go of.
+  void follow(const Viewer& viewer);
+  [[nodiscard]] bool canUndo() const { return versions_.canUndo(); }
+  [[nodiscard]] bool canRedo() const { return versions_.canRedo(); }
+  void undo(Viewer& viewer) {
+    if (!viewer.seeking()) apply(versions_.undo(), viewer);
+  }
+  void redo(Viewer& viewer) {
+    if (!viewer.seeking()) apply(versions_.redo(), viewer);
+  }
+  /// The scene as it was when the window first had it.
+  [[nodiscard]] const Scene& original(const Viewer& viewer) const;
+  [[nodiscard]] bool canReset(const Viewer& viewer) const { return setupOf(viewer) != Setup{original(viewer)}; }
+  void reset(Viewer& viewer) const { apply({original(viewer)}, viewer); }
+
+ private:
+  static Setup setupOf(const Viewer& viewer) { return {viewer.scene(), viewer.pushFactor()}; }
+  static void apply(const Setup& setup, Viewer& viewer);
+
+  UndoStack<Setup> versions_;
+  std::map<std::string, Scene> originals_;  ///< by scene name
+};
+
+/// Writes the viewer's scene as .toml into the current folder, under a name of its own. Throws InputError.
+std::filesystem::path saveScene(const Viewer& viewer);
+
+}  // namespace tyg

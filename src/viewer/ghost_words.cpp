@@ -1,0 +1,67 @@
+// The sentences.
+#include "viewer/ghost_words.h"
+
+#include "util/amounts.h"
+#include "util/text.h"
+
+namespace tyg {
+namespace {
+
+using Tone = Sentence::Tone;
+
+constexpr double kTellable = 2;  // floors: from there on a distance is more than the reference's own
+
+std::string distanceText(const GhostGap& gap) {
+  // Two lines in any case: a panel that follows the length of numbers would never rest.
+  return lengthText(gap.rms) + " RMS,\n" + lengthText(gap.largest) + " at most";
+}
+
+}  // namespace
+
+Sentence distanceWords(const Ghost& ghost) {
+  const std::optional<GhostGap>& gap = ghost.gap();
+  if (!gap) return {"distance: they have not met yet"};
+  if (ghost.behind() <= kNearlyInStep) return {"distance: " + distanceText(*gap)};
+  return {formatted("distance at %.2f s: ", gap->time) + distanceText(*gap)};
+}
+
+Sentence meaningWords(const Ghost& ghost) {
+  const std::optional<GhostGap>& gap = ghost.gap();
+  if (!gap || gap->time == 0) return {};
+  const std::string floor = lengthText(gap->floor);
+  if (ghost.horizon() == 0) {
+    const double since = ghost.comparedSince();
+    return {(since > 0 ? formatted("Since they first met, at %.2f s, the distance", since) : "The distance") +
+                " never was clearly more than what this cloth makes of rounding and of the smallest differences (" +
+                floor + " by now): it means nothing.",
+            Tone::Warning};
+  }
+  if (ghost.horizon() <= gap->time) {
+    return {formatted("The horizon passed at %.2f s: since then the cloth has made so much of rounding and of the "
+                      "smallest differences (",
+                      ghost.horizon()) +
+                floor + ") that the distance means nothing any more.",
+            Tone::Warning};
+  }
+  if (gap->rms >= kTellable * gap->floor) return {"Distances below " + floor + " mean nothing here.", Tone::Dim};
+  return {"As close as can be told here: within " + floor + ".", Tone::Good};
+}
+
+Sentence progressWords(const Ghost& ghost) {
+  if (ghost.status() != Status::Ok) {
+    return {formatted("The ghost's method failed at %.3f s.", ghost.time()), Tone::Warning};
+  }
+  if (ghost.stalled()) {
+    return {formatted("The ghost came to a stand at %.3f s: its steps became too many.", ghost.time()), Tone::Warning};
+  }
+  if (ghost.behind() <= kNearlyInStep) return {};
+  if (!ghost.losing()) {
+    return {formatted("The ghost is catching up: at %.2f s of %.2f s.", ghost.time(), ghost.time() + ghost.behind())};
+  }
+  return {formatted("The ghost is %.2f s behind: this machine cannot compute both in time. A pause or slow motion (;) "
+                    "lets it catch up.",
+                    ghost.behind()),
+          Tone::Warning};
+}
+
+}  // namespace tyg

@@ -1,0 +1,77 @@
+// The hints' texts, and the small file that remembers them.
+#include "viewer/hints.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+#include "util/whole_file.h"
+
+namespace tyg {
+namespace {
+
+struct Hint {
+  std::string_view name, text;
+};
+constexpr std::array<Hint, 3> kHints{
+    Hint{"poke", "A click on the cloth pokes it."},
+    Hint{"chart", "C charts every method on this scene: how fast, how wrong."},
+    Hint{"ghost", "G shows where the cloth would be if it were computed without error."},
+};
+
+}  // namespace
+
+std::optional<std::filesystem::path> hintsFile() {
+  if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state != '\0') {
+    return std::filesystem::path(state) / "tyg" / "hints";
+  }
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
+    return std::filesystem::path(home) / ".local" / "state" / "tyg" / "hints";
+  }
+  return std::nullopt;
+}
+
+Hints::Hints(std::optional<std::filesystem::path> file) : file_(std::move(file)) {
+  static_assert(kHints.size() == kCount);
+  if (!file_) {
+    std::ranges::fill(seen_, true);
+    return;
+  }
+  std::ifstream in(*file_);
+  for (std::string line; std::getline(in, line);) {
+    const auto* const found = std::ranges::find(kHints, std::string_view(line), &Hint::name);
+    if (found != kHints.end()) seen_[found - kHints.begin()] = true;
+  }
+}
+
+std::string_view Hints::show(double now) {
+  const auto* const next = std::ranges::find(seen_, false);
+  if (next == std::end(seen_)) return {};
+  const auto hint = static_cast<std::size_t>(next - std::begin(seen_));
+  if (!since_) since_ = now;
+  if (now - *since_ <= kSeconds) return kHints.at(hint).text;
+  seen(hint);
+  return {};
+}
+
+void Hints::did(Deed deed) {
+  if (!seen_[static_cast<std::size_t>(deed)]) seen(static_cast<std::size_t>(deed));
+}
+
+void Hints::seen(std::size_t hint) {
+  seen_[hint] = true;
+  since_.reset();
+  std::string text;
+  for (std::size_t k = 0; k < kCount; ++k) {
+    if (seen_[k]) text.append(kHints.at(k).name).append("\n");
+  }
+  try {
+    std::filesystem::create_directories(file_->parent_path());
+    writeWholeFile(*file_, text);
+  } catch (const std::exception&) {  // they come again next time, no more
+  }
+}
+
+}  // namespace tyg

@@ -1,0 +1,30 @@
+// What a person did with keys and mouse, and how large the window is: what every window library's news become.
+// Must not know: windows, what a key means.
+#pragma once
+
+namespace tyg {
+
+/// A key or a mouse button: printable keys by the upper-case letter, digit or sign that is printed on them.
+using KeyCode = char;
+inline constexpr KeyCode kEscapeKey = 27, kEnterKey = 13, kTabKey = 9;
+inline constexpr KeyCode kLeftButton = 1, kRightButton = 2, kMiddleButton = 3;
+inline constexpr KeyCode kWheel = 4;  ///< never pressed: names the wheel in the table of inputs
+inline constexpr bool isMouse(KeyCode key) { return key >= kLeftButton && key <= kWheel; }
+
+/// One thing that happened. Positions are in pixels of the framebuffer from its top left corner.
+struct WindowEvent {
+  enum class Kind { Press, Release, Move, Scroll, FocusLost, Exposed };  ///< Exposed: what was shown is gone
+  Kind kind = Kind::Press;
+  KeyCode key = 0;                      ///< Press, Release
+  double x = 0, y = 0;                  ///< Move, and Press and Release of a mouse button
+  double notches = 0;                   ///< Scroll: wheel steps, positive away from the person
+  bool control = false, shift = false;  ///< Press: those keys are down as well
+};
+
+/// Pixels; 0 x 0 while nothing of the window can be seen.
+struct Extent {
+  int width = 0, height = 0;
+  bool operator==(const Extent&) const = default;
+};
+
+}  // namespace tyg

@@ -1,0 +1,54 @@
+// What each key and mouse button does: the one table from which inputs are dispatched and the help on screen is made.
+// Must not know: windows, how an action is carried out.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "viewer/input_event.h"
+
+namespace tyg {
+
+/// Driving the cloth and the camera comes first, then (from ChooseMethod on) choices, which the help shows apart.
+// clang-format off
+enum class InputAction {
+  StartOrPause, StepBack, Step, Slower, Faster, Again, Restart,
+  Poke, Look, Approach,
+  MoveForward, MoveLeft, MoveBack, MoveRight, MoveDown, MoveUp, FrameCloth,
+  SmallerStep, LargerStep, SafeStep, HoldingMethod, RunOn,
+  OpenControl, OpenGallery, OpenChart, OpenGhost, OpenStretch, OpenEnergy, OpenTraces,
+  KeepPicture, Film,
+  ShowHelp, Leave,
+  ChooseMethod,
+  ShowStructural, ShowShear, ShowBend, ShowParticles, ShowPins, ShowGround, ChangeBackground,
+};
+// clang-format on
+inline constexpr std::size_t kInputActions = static_cast<std::size_t>(InputAction::ChangeBackground) + 1;
+inline constexpr bool isChoice(InputAction action) { return action >= InputAction::ChooseMethod; }
+
+/// A key or button, what it does, and both as the help says them.
+struct Input {
+  KeyCode key;
+  InputAction action;
+  std::string_view keyName;
+  std::string_view help;  ///< empty: the window offers it where it is of use
+};
+/// Every input, in the order of the help. Those that share a help text are neighbours and share its line.
+std::span<const Input> inputTable();
+/// Null for a key that does nothing.
+const Input* findInput(KeyCode key);
+/// The method that a number key chooses, as its place in methods(): 1 the first, 0 the tenth, - the eleventh.
+std::size_t methodPlace(KeyCode key);
+
+/// A line of the help on screen.
+struct HelpLine {
+  std::string keys, help;
+  InputAction action;
+  std::size_t method = 0;  ///< with ChooseMethod: its place in `methods`
+};
+/// The help, with one line for each of these methods that has a number key.
+std::vector<HelpLine> helpLines(std::span<const std::string_view> methods);
+
+}  // namespace tyg

@@ -1,0 +1,63 @@
+// How far the step of a running cloth is from the largest stable one, followed from frame to frame.
+// Must not know: windows, how it is drawn, what the person may do about it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string_view>
+
+#include "core/simulation/world.h"
+#include "tyg/simulation.h"
+
+namespace tyg {
+
+/// None: nothing sets a limit. Close: from 0.9 of it. Past: at it or above.
+enum class MarginBand : std::uint8_t { None, Fine, Close, Past };
+
+/// A step beside its limit.
+struct Margin {
+  static constexpr double kClose = 0.9;
+  double step = 0;  ///< s
+  /// s, the smaller one of the limits at rest and in the present state; 0: no step holds; NaN or infinite: none.
+  double limit = std::numeric_limits<double>::quiet_NaN();
+  double rest = std::numeric_limits<double>::quiet_NaN();  ///< s, of the sheet at rest, likewise
+  double cost = 0;                                         ///< share of the time that finding them takes, 0..1
+  bool adaptive = false;                                   ///< the method chooses its own steps
+
+  [[nodiscard]] double share() const { return step / limit; }  ///< of the limit; NaN or 0 where there is none
+  [[nodiscard]] MarginBand band() const;
+};
+
+using MarginText = std::array<char, 128>;
+/// One line such as `0.95 of the limit of 4.26 ms: close, a little more breaks it`, and nothing allocated.
+void describe(const Margin& margin, MarginText& text);
+
+class MarginWatch {
+ public:
+  using Clock = std::function<double()>;  ///< s, from any start
+
+  /// Once a frame; of a simulation past its alarm the limit stays as it was. Finding the live limit takes no more than
+  /// a twentieth of the time: the larger a sheet, the fewer frames look.
+  void look(Simulation& simulation, const Clock& clock);
+  /// The same for what is chosen for the next run of a cloth that stands; of another method or world than the last look
+  /// the limit is the one at rest.
+  void lookAhead(const Scene& chosen);
+  /// Another simulation: its limit at rest is worked out at the next look.
+  void restart() { method_ = nullptr; }
+  [[nodiscard]] const Margin& margin() const { return margin_; }
+
+ private:
+  void follow(const Scene& scene, const Method& method, double step);
+  void lookLive(Simulation& simulation, const Clock& clock);
+
+  const Method* method_ = nullptr;
+  World world_;
+  double live_ = 0;             ///< s
+  std::int64_t lookedAt_ = -1;  ///< tick of the last look at it; -1 before the first with this method
+  double lastLook_ = 0, nextLook_ = 0;
+  Margin margin_;
+};
+
+}  // namespace tyg

@@ -1,0 +1,62 @@
+// Lines of the viewer's log.
+#include "viewer/view_log.h"
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+
+namespace tyg {
+namespace {
+
+constexpr const char* kHeader =
+    "frame,wall_s,sim_s,state,integrator,dt,eye_x,eye_y,eye_z,picked,pushes,kinetic_J,alarm\n";
+
+/// Comma-separated fields in a fixed buffer. Numbers read back to the same value, whatever the locale.
+class Fields {
+ public:
+  template <class Number>
+  Fields& number(Number value) {
+    comma();
+    end_ = std::to_chars(end_, text_.data() + text_.size(), value).ptr;
+    return *this;
+  }
+  Fields& word(std::string_view value) {
+    comma();
+    end_ += value.copy(end_, static_cast<std::size_t>(text_.data() + text_.size() - end_));
+    return *this;
+  }
+  std::string_view line() {
+    *end_++ = '\n';
+    return {text_.data(), static_cast<std::size_t>(end_ - text_.data())};
+  }
+
+ private:
+  void comma() {
+    if (end_ != text_.data()) *end_++ = ',';
+  }
+  std::array<char, 1024> text_{};  // 13 fields of at most 25 characters and short names
+  char* end_ = text_.data();
+};
+
+}  // namespace
+
+ViewLog::ViewLog(const std::filesystem::path& path) : path_(path), file_(std::fopen(path.c_str(), "wb")) {
+  if (!file_ || std::fputs(kHeader, file_.get()) < 0 || std::fflush(file_.get()) != 0) {
+    throw InputError("--log: '" + path.string() + "' cannot be written (" + std::strerror(errno) +
+                     "); allowed is a file in a folder that may be written to");
+  }
+}
+
+void ViewLog::write(const ViewLogLine& line) {
+  Fields fields;
+  fields.number(line.frame).number(line.wall).number(line.time).word(line.state).word(line.integrator);
+  fields.number(line.dt).number(line.eye.x).number(line.eye.y).number(line.eye.z);
+  fields.number(line.picked).number(line.pushes).number(line.kinetic).word(line.alarm);
+  const std::string_view text = fields.line();
+  if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() || std::fflush(file_.get()) != 0) {
+    throw InputError("--log: '" + path_.string() + "' cannot be written any more (" + std::strerror(errno) + ")");
+  }
+}
+
+}  // namespace tyg

@@ -1,0 +1,285 @@
+// The panels without a window: keys open and close them, they stand at the edges, and ImGui's widgets change the scene.
+#include "ui/panels/panels.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <thread>
+
+#include "ui/panels_fixture.h"
+
+namespace tyg {
+namespace {
+
+class PanelsTest : public PanelsFixture {
+ protected:
+  static bool showsTooltip() {
+    return std::ranges::any_of(ImGui::GetCurrentContext()->Windows, [](const ImGuiWindow* window) {
+      return window->Active && (window->Flags & ImGuiWindowFlags_Tooltip) != 0;
+    });
+  }
+  /// The lowest field of Control that has a tooltip; in its left half, the columns.
+  void restOnTheSheetsField() {
+    const ImRect panel = placeOf("Control");
+    for (float y = panel.Max.y; y > panel.Min.y && !showsTooltip(); y -= 6) {
+      ImGui::GetIO().MousePos = {panel.Min.x + 6.5F * 18, y}, frames(30);
+    }
+  }
+  static ImRect placeOf(const char* title) { return ImGui::FindWindowByName(title)->Rect(); }
+  static bool folded(const char* title) { return ImGui::FindWindowByName(title)->Collapsed; }
+  static void key(ImGuiKey key, bool down) {
+#if IMGUI_VERSION_NUM >= 18700
+    ImGui::GetIO().AddKeyEvent(key, down);
+#else
+    ImGui::GetIO().KeyMap[key] = key;
+    ImGui::GetIO().KeysDown[key] = down;
+#endif
+  }
+  void tap(ImGuiKey which) {
+    key(which, true), frames(2);
+    key(which, false), frames(2);
+  }
+  void type(const char* text) {
+    ImGui::GetIO().AddInputCharactersUTF8(text);
+    frames(2);
+  }
+};
+
+TEST_F(PanelsTest, EveryPanelHasAKeyThatOpensAndClosesIt) {
+  std::set<InputAction> actions;
+  for (const PanelKind& kind : panelTable()) {
+    EXPECT_TRUE(actions.insert(kind.action).second) << kind.title;
+    const auto input = std::ranges::find(inputTable(), kind.action, &Input::action);
+    ASSERT_NE(input, inputTable().end()) << kind.title;
+    EXPECT_TRUE(press(input->key)) << kind.title;
+    EXPECT_TRUE(panels_.isOpen(kind.action)) << kind.title;
+    frames();
+    EXPECT_TRUE(press(input->key)) << kind.title;
+    EXPECT_FALSE(panels_.isOpen(kind.action)) << kind.title;
+  }
+}
+
+TEST_F(PanelsTest, EscapeClosesTheOneOpenedLastAndThenLeaves) {
+  for (const PanelKind& kind : panelTable()) panels_.toggle(kind.action);
+  frames();
+  for (std::size_t k = panelTable().size(); k-- > 0;) {
+    EXPECT_TRUE(panels_.isOpen(panelTable()[k].action));
+    EXPECT_TRUE(press(kEscapeKey));
+    EXPECT_FALSE(panels_.isOpen(panelTable()[k].action));
+  }
+  EXPECT_FALSE(press(kEscapeKey));
+}
+
+TEST_F(PanelsTest, APanelStandsAtItsEdgeAndTakesOnlyTheClicksOnIt) {
+  panels_.toggle(InputAction::OpenControl);
+  frames();
+  EXPECT_GT(panels_.width(Edge::Left), 100);
+  EXPECT_LT(panels_.width(Edge::Left), 640);
+  EXPECT_EQ(panels_.width(Edge::Right), 0);
+  EXPECT_TRUE(pressMouse(100, 200));
+  EXPECT_FALSE(pressMouse(640, 360));
+  panels_.toggle(InputAction::OpenControl);
+  EXPECT_FALSE(pressMouse(100, 200));
+}
+
+TEST_F(PanelsTest, ControlAndZUndoesAndBothWaysRedo) {
+  frames();
+  Scene changed = viewer_.scene();
+  const double dt = changed.dt;
+  changed.dt = 0.5 * dt;
+  viewer_.use(changed);
+  frames();
+  EXPECT_TRUE(press('Z', true));
+  EXPECT_EQ(viewer_.scene().dt, dt);
+  EXPECT_TRUE(press('Y', true));
+  EXPECT_EQ(viewer_.scene().dt, 0.5 * dt);
+  press('Z', true);
+  EXPECT_TRUE(press('Z', true, true));
+  EXPECT_EQ(viewer_.scene().dt, 0.5 * dt);
+}
+
+TEST_F(PanelsTest, KeysWithControlAreNotTheViewers) {
+  EXPECT_TRUE(press('S', true));
+  EXPECT_FALSE(press('S'));
+}
+
+TEST_F(PanelsTest, TheChartReadsOutThePointUnderTheCursorAndAClickTakesIt) {
+  viewer_.use(withSheet(loadScene("curtain", methodNames()), 4, 4));
+  panels_.toggle(InputAction::OpenChart);
+  frames();
+  EXPECT_FALSE(showsTooltip());
+  const Scene before = viewer_.scene();
+  const auto givenUp = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  // Where the points are is up to this machine's speed: the cursor goes over the plot until it finds one that holds.
+  for (int k = 0; viewer_.scene() == before; ++k) {
+    ASSERT_LT(std::chrono::steady_clock::now(), givenUp);
+    if (k % 500 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    const auto x = float(780 + (k * 37) % 420), y = float(150 + (k * 23) % 220);
+    ImGui::GetIO().MousePos = {x, y}, frames(2);
+    if (showsTooltip()) click(x, y);
+  }
+  ImGui::GetIO().MousePos = {100, 600}, frames(3);
+  EXPECT_FALSE(showsTooltip());
+}
+
+TEST_F(PanelsTest, AClickOnARunningPlotGoesBackToItsMoment) {
+  for (const InputAction action : {InputAction::OpenEnergy, InputAction::OpenTraces}) {
+    panels_.toggle(action);
+    if (viewer_.state() != RunState::Running) viewer_.perform(InputAction::StartOrPause);
+    frames(90);
+    const double newest = viewer_.time();
+    ImGui::GetIO().MousePos = {1230, 140}, frames(2);
+    EXPECT_TRUE(showsTooltip());
+    click(1230, 140);
+    EXPECT_EQ(viewer_.state(), RunState::Paused);
+    EXPECT_LT(viewer_.time(), newest);
+    EXPECT_GT(viewer_.time(), newest - 1);
+    click(1250, 140);  // what came after it is still there
+    EXPECT_GE(viewer_.time(), newest);
+    panels_.toggle(action);
+  }
+}
+
+TEST_F(PanelsTest, TracesTakeAParticleThatIsClickedOnTheClothOnceTheyAreAskedTo) {
+  panels_.toggle(InputAction::OpenTraces);
+  frames();
+  const glm::mat4 seen = viewer_.camera().projection(1280.0F / 720) * viewer_.camera().view();
+  const glm::vec4 pin = seen * glm::vec4(viewer_.positions()[0], viewer_.positions()[1], viewer_.positions()[2], 1);
+  const double x = 640 * (1 + pin.x / pin.w), y = 360 * (1 - pin.y / pin.w);
+  EXPECT_FALSE(pressMouse(x, y));
+  bool taken = false;
+  for (float button = 690; button > 200 && !taken; button -= 8) click(870, button), taken = pressMouse(x, y);
+  EXPECT_TRUE(taken);
+  EXPECT_FALSE(pressMouse(x, y));  // once
+}
+
+TEST_F(PanelsTest, HaveASizeInAWindowThatHasNone) {
+  for (const PanelKind& kind : panelTable()) panels_.toggle(kind.action);
+  for (const Extent size : {Extent{0, 0}, Extent{1, 1}, Extent{3, 700}, Extent{30, 700}, Extent{700, 2}}) {
+    ImGui::GetIO().DisplaySize = {float(size.width), float(size.height)};
+    viewer_.resize(size, {.left = int(panels_.width(Edge::Left)), .right = int(panels_.width(Edge::Right))});
+    frames();
+    EXPECT_GT(panels_.width(Edge::Left), 0) << size.width << " x " << size.height;
+  }
+  ImGui::GetIO().DisplaySize = {1280, 720};
+  frames();
+  EXPECT_TRUE(pressMouse(1000, 50));  // nobody dragged them away from their places
+}
+
+TEST_F(PanelsTest, StayWhereTheyAreDraggedTo) {
+  panels_.toggle(InputAction::OpenGhost);
+  frames();
+  ImGuiIO& io = ImGui::GetIO();
+  io.MousePos = {1000, 57}, frames(2);
+  io.MouseDown[0] = true, frames(1);
+  for (float x = 1000; x > 600; x -= 40) io.MousePos = {x, 157}, frames(1);
+  io.MouseDown[0] = false, frames(2);
+  EXPECT_EQ(panels_.width(Edge::Right), 0);
+  EXPECT_TRUE(pressMouse(640, 157));
+  EXPECT_FALSE(pressMouse(1200, 157));
+}
+
+TEST_F(PanelsTest, EndAboveWhatIsSaidBelowThem) {
+  panels_.toggle(InputAction::OpenControl);
+  panels_.endAbove(400);
+  frames();
+  EXPECT_TRUE(pressMouse(100, 390));
+  EXPECT_FALSE(pressMouse(100, 410));
+  panels_.endAbove(700);
+  frames();
+  EXPECT_TRUE(pressMouse(100, 410));
+}
+
+/// At the right edge, none of them over another.
+std::vector<ImRect> standing(std::initializer_list<const char*> titles) {
+  std::vector<ImRect> places;
+  for (const char* title : titles) places.push_back(ImGui::FindWindowByName(title)->Rect());
+  std::ranges::sort(places, {}, [](const ImRect& place) { return place.Min.y; });
+  return places;
+}
+
+TEST_F(PanelsTest, WhereAnEdgeIsTooLowTheOldOnesFoldToTheirTitlesAndNothingOverlaps) {
+  const auto titles = {"Energy", "Traces", "Stretch", "Ghost", "Chart"};
+  for (const InputAction action : {InputAction::OpenEnergy, InputAction::OpenTraces, InputAction::OpenStretch,
+                                   InputAction::OpenGhost, InputAction::OpenChart}) {
+    panels_.toggle(action), frames();
+  }
+  panels_.endAbove(600), frames();
+  EXPECT_FALSE(folded("Chart"));
+  EXPECT_TRUE(folded("Energy"));
+  const auto places = standing(titles);
+  for (std::size_t k = 1; k < places.size(); ++k) EXPECT_GE(places[k].Min.y, places[k - 1].Max.y);
+  EXPECT_LE(places.back().Max.y, 600);
+  ImGui::GetIO().DisplaySize = {1920, 3000};
+  panels_.endAbove(3000), frames();
+  for (const char* title : titles) EXPECT_FALSE(folded(title)) << title;
+}
+
+TEST_F(PanelsTest, AClickOnAFoldedTitleMakesItTheNewest) {
+  panels_.endAbove(420);
+  panels_.toggle(InputAction::OpenEnergy), frames();
+  panels_.toggle(InputAction::OpenTraces), frames();
+  ASSERT_TRUE(folded("Energy"));
+  const ImVec2 at = placeOf("Energy").GetCenter();
+  EXPECT_TRUE(pressMouse(at.x, at.y));  // the panel's, not the cloth's
+  ImGui::GetIO().MousePos = {600, 300}, frames(2);
+  ImGui::GetIO().MouseDown[0] = true, frames(2);
+  ImGui::GetIO().MousePos = at, frames(2);
+  ImGui::GetIO().MouseDown[0] = false, frames(2);
+  EXPECT_TRUE(folded("Energy"));  // a drag that ended there
+  click(at.x, at.y);
+  EXPECT_FALSE(folded("Energy"));
+  EXPECT_TRUE(folded("Traces"));
+  click(placeOf("Traces").Max.x - 10, placeOf("Traces").GetCenter().y);  // its x
+  EXPECT_FALSE(panels_.isOpen(InputAction::OpenTraces));
+  EXPECT_TRUE(panels_.isOpen(InputAction::OpenEnergy));
+}
+
+TEST_F(PanelsTest, AreDrawnSmallerWhereTheWindowIsTooNarrowForThem) {
+  panels_.toggle(InputAction::OpenControl), frames();
+  const auto inTextSizes = [] {
+    const ImGuiWindow* window = ImGui::FindWindowByName("Control");
+    return window->Rect().GetWidth() / window->FontWindowScale;
+  };
+  const float wide = inTextSizes();
+  ImGui::GetIO().DisplaySize = {500, 720}, frames();
+  EXPECT_LT(placeOf("Control").GetWidth(), 250);
+  EXPECT_NEAR(inTextSizes(), wide, 2);
+}
+
+TEST_F(PanelsTest, ListsAndTooltipsHideWhatIsBelowThem) {
+  panels_.toggle(InputAction::OpenControl);
+  for (int background = 0; background < 2; ++background) {
+    frames();
+    EXPECT_EQ(ImGui::GetStyle().Colors[ImGuiCol_PopupBg].w, 1);
+    viewer_.perform(InputAction::ChangeBackground);
+  }
+}
+
+TEST_F(PanelsTest, ATooltipOfAFieldComesAtRestAndGoesBySelf) {
+  panels_.toggle(InputAction::OpenControl), frames();
+  restOnTheSheetsField();
+  ASSERT_TRUE(showsTooltip());
+  EXPECT_TRUE(panels_.busy());
+  frames(300);
+  EXPECT_FALSE(showsTooltip());
+  EXPECT_FALSE(panels_.busy());
+}
+
+TEST_F(PanelsTest, TabGoesFromColumnsToRowsAndAClampIsTold) {
+  panels_.toggle(InputAction::OpenControl), frames();
+  restOnTheSheetsField();
+  click(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
+  ASSERT_TRUE(ImGui::GetIO().WantTextInput);
+  type("7"), tap(ImGuiKey_Tab), type("900"), tap(ImGuiKey_Enter), frames();
+  EXPECT_EQ(viewer_.scene().columns, 7);
+  EXPECT_EQ(viewer_.scene().rows, 512);
+  EXPECT_EQ(viewer_.note(), "rows: 512 is the most");
+}
+
+}  // namespace
+}  // namespace tyg

@@ -1,0 +1,60 @@
+// Hints: in order, once, and away for good.
+#include "viewer/hints.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "files.h"
+
+namespace tyg {
+namespace {
+
+class HintsTest : public testing::Test {
+ protected:
+  const Folder folder_;
+  const std::filesystem::path file_ = folder_ / "state" / "hints";
+};
+
+TEST_F(HintsTest, TheFirstHintIsToPokeAndFollowingItBringsTheNext) {
+  Hints hints(file_);
+  const std::string first(hints.show(0));
+  EXPECT_NE(first.find("poke"), std::string::npos);
+  hints.did(Hints::Deed::Poke);
+  EXPECT_NE(hints.show(1), first);
+  EXPECT_FALSE(hints.show(1).empty());
+}
+
+TEST_F(HintsTest, AHintThatNobodyFollowsGoesAwayByItself) {
+  Hints hints(file_);
+  const std::string first(hints.show(0));
+  EXPECT_EQ(hints.show(Hints::kSeconds - 1), first);
+  (void)hints.show(Hints::kSeconds + 1);
+  EXPECT_NE(hints.show(Hints::kSeconds + 2), first);
+}
+
+TEST_F(HintsTest, WhatWasSeenDoesNotComeAgainInAnotherRun) {
+  {
+    Hints hints(file_);
+    hints.did(Hints::Deed::Poke), hints.did(Hints::Deed::Chart), hints.did(Hints::Deed::Ghost);
+  }
+  Hints later(file_);
+  EXPECT_TRUE(later.show(0).empty());
+}
+
+TEST_F(HintsTest, WithoutAFileThereAreNone) {
+  Hints hints(std::nullopt);
+  EXPECT_TRUE(hints.show(0).empty());
+  hints.did(Hints::Deed::Ghost);
+}
+
+TEST_F(HintsTest, AFolderThatCannotBeMadeOnlyBringsThemAgain) {
+  folder_.write("state", "a file where a folder should be");
+  Hints hints(file_);
+  hints.did(Hints::Deed::Poke);
+  EXPECT_FALSE(hints.show(0).empty());
+  EXPECT_NE(Hints(file_).show(0).find("poke"), std::string_view::npos);
+}
+
+}  // namespace
+}  // namespace tyg

@@ -1,0 +1,96 @@
+// The margin of a step: its bands, its words, and that it follows the simulation.
+#include "viewer/margin.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "study/limits/stability.h"
+#include "tyg/methods.h"
+
+namespace tyg {
+namespace {
+
+Margin at(double share) { return {.step = share * 0.004, .limit = 0.004}; }
+std::string words(const Margin& margin) {
+  MarginText text;
+  describe(margin, text);
+  return text.data();
+}
+
+TEST(Margin, IsCloseFromNineTenthsOnAndPastFromTheLimitOn) {
+  EXPECT_EQ(at(0.5).band(), MarginBand::Fine);
+  EXPECT_EQ(at(0.89).band(), MarginBand::Fine);
+  EXPECT_EQ(at(0.91).band(), MarginBand::Close);
+  EXPECT_EQ(at(1.01).band(), MarginBand::Past);
+  EXPECT_EQ((Margin{.step = 1, .limit = 0}.band()), MarginBand::Past);
+  EXPECT_EQ((Margin{.step = 1}.band()), MarginBand::None);
+  EXPECT_EQ((Margin{.step = 1, .limit = 0.1, .adaptive = true}.band()), MarginBand::None);
+}
+
+TEST(Margin, SaysHowCloseAndWarnsInWords) {
+  EXPECT_EQ(words(at(0.5)), "0.50 of the limit of 4 ms");
+  EXPECT_NE(words(at(0.95)).find("close"), std::string::npos);
+  EXPECT_NE(words(at(1.05)).find("PAST"), std::string::npos);
+  EXPECT_NE(words({.limit = 0.004, .adaptive = true}).find("own steps: on average about 4 ms"), std::string::npos);
+}
+
+TEST(Margin, FollowsMethodAndStep) {
+  Simulation simulation(loadScene("curtain", methodNames()), findMethod("rk4"), {.threads = 1});
+  double now = 0;
+  MarginWatch watch;
+  const auto look = [&] { watch.look(simulation, [&now] { return now += 1e-3; }); };
+  look();
+  EXPECT_EQ(watch.margin().step, 0.002);
+  EXPECT_EQ(watch.margin().rest, restLatticeLimit(simulation.scene(), findMethod("rk4")));
+  simulation.useStep(0.001);
+  simulation.useMethod(findMethod("leapfrog"));
+  look();
+  EXPECT_EQ(watch.margin().step, 0.001);
+  EXPECT_EQ(watch.margin().rest, restLatticeLimit(simulation.scene(), findMethod("leapfrog")));
+  simulation.useMethod(findMethod("dopri54"));
+  look();
+  EXPECT_EQ(watch.margin().band(), MarginBand::None);
+}
+
+TEST(Margin, ShrinksWhileTheClothIsStretched) {
+  Scene scene = loadScene("curtain", methodNames());
+  for (SpringFamily* family : {&scene.structural, &scene.shear, &scene.bend}) family->kd = 0;
+  scene.gravity = {0, -200, 0};
+  scene.start = Start::Hanging;
+  scene.dt = 5e-4;
+  Simulation simulation(scene, findMethod("leapfrog"), {.threads = 1});
+  double now = 0;
+  MarginWatch watch;
+  const auto ticks = [&](int count) {
+    for (int tick = 0; tick < count; ++tick) {
+      simulation.tick();
+      watch.look(simulation, [&now] { return now += 1; });
+    }
+  };
+  ticks(15);
+  const double before = watch.margin().limit;
+  EXPECT_NEAR(before, watch.margin().rest, 0.02 * before);
+  ticks(400);
+  EXPECT_LT(watch.margin().limit, 0.98 * before);
+  EXPECT_NE(words(watch.margin()).find("at rest"), std::string::npos) << words(watch.margin());
+}
+
+TEST(Margin, TakesNoMoreThanATwentiethOfTheTimeToKnow) {
+  Simulation simulation(loadScene("curtain", methodNames()), findMethod("leapfrog"), {.threads = 1});
+  double now = 0, inside = 0;
+  MarginWatch watch;
+  for (int frame = 0; frame < 500; ++frame) {
+    simulation.tick();
+    now += 0.004;
+    const double before = now;
+    watch.look(simulation, [&now] { return now += 0.002; });  // each look at the clock finds it later
+    if (now > before + 0.003) inside += 0.002;
+  }
+  EXPECT_GT(watch.margin().cost, 0);
+  EXPECT_LT(watch.margin().cost, 0.06);
+  EXPECT_LT(inside / now, 0.06);
+}
+
+}  // namespace
+}  // namespace tyg

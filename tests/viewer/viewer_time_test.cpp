@@ -1,0 +1,279 @@
+// The viewer's way through time, without a window: back and forth, to sleep and on, and nothing is lost.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "app/reports/run_report.h"
+#include "viewer/viewer_fixture.h"
+
+namespace tyg {
+namespace {
+
+TEST_F(ViewerTest, StepsBackTickByTickAndForwardAgainToTheSameState) {
+  tap(' ');
+  frames(30);
+  tap(' ');
+  const std::int64_t end = ticks();
+  const std::uint64_t hash = viewer_.simulation().hash();
+  tap(','), tap(','), tap(',');
+  EXPECT_EQ(ticks(), end - 3);
+  EXPECT_NE(viewer_.simulation().hash(), hash);
+  tap('.'), tap('.'), tap('.');
+  EXPECT_EQ(ticks(), end);
+  EXPECT_EQ(viewer_.simulation().hash(), hash);
+}
+
+TEST_F(ViewerTest, AHeldKeyStepsOnAndOn) {
+  tap(' ');
+  frames(60);
+  tap(' ');
+  const std::int64_t end = ticks();
+  press(',');
+  frames(60);
+  release(',');
+  EXPECT_LT(ticks(), end - 5);
+  const std::int64_t then = ticks();
+  frames(60);
+  EXPECT_EQ(ticks(), then);
+}
+
+TEST_F(ViewerTest, ThePastCanBeLookedAtWithoutLosingTheRecord) {
+  tap(' ');
+  frames(30);
+  tap(' ');
+  const PushLog record = viewer_.record();
+  viewer_.turnToTime(0.1);
+  EXPECT_NEAR(viewer_.time(), 0.1, 1e-9);
+  EXPECT_TRUE(viewer_.timeline().past);
+  EXPECT_EQ(viewer_.record(), record);
+}
+
+TEST_F(ViewerTest, WhatIsKeptWithAPictureOfThePastEndsThere) {
+  tap(' ');
+  frames(30);
+  tap(']');
+  frames(30);
+  viewer_.turnToTime(0.1);
+  const PushLog log = viewer_.recordShown();
+  EXPECT_EQ(log.ticks, ticks());
+  EXPECT_TRUE(log.events.empty());
+  Simulation again(curtain(), findMethod(log.integrator), {.threads = 1});
+  again.replay(log, methods());
+  again.tick(log.ticks);
+  EXPECT_EQ(again.hash(), viewer_.simulation().hash());
+  EXPECT_EQ(hashText(again), log.hash);
+}
+
+TEST_F(ViewerTest, SingleStepsThroughThePastShowWhatWasSetThen) {
+  const double dt = viewer_.simulation().dt();
+  tap('.'), tap('.'), tap(']'), tap('.');
+  tap(','), tap(',');
+  EXPECT_EQ(viewer_.scene().dt, dt);
+  tap('.'), tap('.');
+  EXPECT_EQ(viewer_.scene().dt, viewer_.simulation().dt());
+  EXPECT_NEAR(viewer_.scene().dt, 1.05 * dt, 1e-12);
+}
+
+TEST_F(ViewerTest, GoingOnFromThePastForgetsWhatCameAfter) {
+  tap(' ');
+  frames(30);
+  clickOnCloth();
+  release(kLeftButton);
+  frames(30);
+  viewer_.turnToTime(0.1);
+  tap(' ');
+  frames(1);
+  EXPECT_FALSE(viewer_.timeline().past);
+  EXPECT_LT(viewer_.time(), 0.2);
+  EXPECT_TRUE(viewer_.record().events.empty());
+}
+
+TEST_F(ViewerTest, BracketsChangeTheStepAtOnceAndARestartKeepsIt) {
+  const double dt = viewer_.simulation().dt();
+  tap(' ');
+  frames(3);
+  tap(']'), tap(']');
+  EXPECT_NEAR(viewer_.simulation().dt(), dt * 1.05 * 1.05, 1e-12);
+  tap('['), tap('['), tap('[');
+  const double smaller = viewer_.simulation().dt();
+  EXPECT_NEAR(smaller, dt / 1.05, 1e-12);
+  tap('R');
+  EXPECT_EQ(viewer_.simulation().dt(), smaller);
+}
+
+TEST_F(ViewerTest, AStepThatIsDraggedPastItsLimitIsWarnedOfBeforeItBreaks) {
+  tap(' ');
+  bool close = false;
+  press(']');
+  for (int frame = 0; frame < 600 && viewer_.state() == RunState::Running; ++frame) {
+    frames(1);
+    close = close || viewer_.margin().band() == MarginBand::Close;
+  }
+  release(']');
+  EXPECT_TRUE(close);
+  EXPECT_EQ(viewer_.margin().band(), MarginBand::Past);
+  EXPECT_EQ(viewer_.state(), RunState::Frozen);
+}
+
+TEST_F(ViewerTest, SlowMotionMakesTimeSlower) {
+  tap(';'), tap(';');
+  EXPECT_EQ(viewer_.speed(), 0.25);
+  tap(' ');
+  frames(60);
+  EXPECT_NEAR(viewer_.time(), 0.25, 0.01);
+  tap('\''), tap('\''), tap('\'');
+  EXPECT_EQ(viewer_.speed(), 1);
+}
+
+TEST_F(ViewerTest, ASpeedThatIsChosenInAReplayOutlastsIt) {
+  tap(' ');
+  frames(90);
+  tap('J'), tap('\''), tap('\'');
+  const double chosen = viewer_.speed();
+  EXPECT_EQ(chosen, 0.5);
+  for (int frame = 0; frame < 600 && viewer_.state() == RunState::Running; ++frame) frames(1);
+  EXPECT_EQ(viewer_.state(), RunState::Paused);
+  EXPECT_EQ(viewer_.speed(), chosen);
+}
+
+TEST_F(ViewerTest, ARestartSurvivesARecordThatCannotBeKept) {
+  viewer_.onRunEnd([](const PushLog&) { throw InputError("the disk is full"); });
+  tap('.');
+  tap('R');
+  EXPECT_EQ(viewer_.state(), RunState::Waiting);
+  EXPECT_EQ(viewer_.time(), 0);
+  EXPECT_EQ(viewer_.note(), "the disk is full");
+  EXPECT_TRUE(viewer_.noteWarns());
+  viewer_.note("curtain.toml is kept.");
+  EXPECT_FALSE(viewer_.noteWarns());
+}
+
+/// Starts nearly as it will hang, and loses all motion within seconds.
+class CalmViewerTest : public ViewerTest {
+ protected:
+  static Scene calm() {
+    Scene scene = curtain();
+    scene.columns = scene.rows = 6;
+    scene.pins = {{.name = "top"}};
+    scene.start = Start::Hanging;
+    scene.drag = 0.2;
+    return scene;
+  }
+  CalmViewerTest() : ViewerTest(calm()) {}
+  void runUntilAsleep() {
+    tap(' ');
+    for (int frame = 0; frame < 1800 && !viewer_.asleep(); ++frame) frames(1);
+  }
+};
+
+TEST_F(CalmViewerTest, FallsAsleepWhenNothingMovesAndThenNoTicksPass) {
+  runUntilAsleep();
+  ASSERT_TRUE(viewer_.asleep());
+  EXPECT_TRUE(viewer_.idle());
+  EXPECT_EQ(viewer_.state(), RunState::Running);
+  for (int particle = 0; particle < 36; ++particle) {
+    const Vec3 v = viewer_.simulation().velocity(particle);
+    EXPECT_LT(std::hypot(v.x, v.y, v.z), Viewer::kStillSpeed);
+  }
+  const std::int64_t then = ticks();
+  frames(100);
+  EXPECT_EQ(ticks(), then);
+}
+
+TEST_F(CalmViewerTest, AsleepItIsNotBehindRealTime) {
+  tap(' ');
+  for (int frame = 0; frame < 1800 && !viewer_.asleep(); ++frame) frames(1, 0.3);
+  ASSERT_TRUE(viewer_.asleep());
+  EXPECT_TRUE(viewer_.pace().behind) << "it was, until then";
+  EXPECT_FALSE(viewer_.behind());
+}
+
+TEST_F(CalmViewerTest, WhateverChangesSomethingWakesItAtOnce) {
+  runUntilAsleep();
+  const std::array<std::function<void()>, 4> deeds{[this] { tap(kLeftButton); }, [this] { tap('4'); },
+                                                   [this] { tap(']'); }, [this] { tap(' '), tap(' '); }};
+  for (const auto& deed : deeds) {
+    ASSERT_TRUE(viewer_.asleep());
+    const double then = viewer_.time();
+    now_ += 1000;
+    deed();
+    EXPECT_FALSE(viewer_.asleep());
+    frames(1);
+    EXPECT_GT(viewer_.time(), then);
+    EXPECT_LT(viewer_.time(), then + 0.1);  // the sleep is not made up
+    for (int frame = 0; frame < 1800 && !viewer_.asleep(); ++frame) frames(1);
+  }
+}
+
+TEST_F(CalmViewerTest, ItsSleepIsNoPartOfTheRecord) {
+  runUntilAsleep();
+  frames(50);
+  tap(kLeftButton);
+  frames(50);
+  const PushLog log = viewer_.record();
+  Simulation again(calm(), findMethod(log.integrator), {.threads = 1});
+  again.replay(log, methods());
+  again.tick(log.ticks);
+  EXPECT_EQ(again.hash(), viewer_.simulation().hash());
+}
+
+/// Its method chooses some hundred steps for each tick, and each look at the clock takes a second.
+class StallingViewerTest : public ViewerTest {
+ protected:
+  static Scene stalling() {
+    Scene scene = curtain();
+    scene.integrator = "dopri54", scene.dt = 0.05, scene.tolerance = 1e-13;
+    return scene;
+  }
+  StallingViewerTest() : ViewerTest(stalling()) { look_ = 1; }
+};
+
+TEST_F(StallingViewerTest, NoFrameWaitsForATickThatDoesNotEnd) {
+  tap(' ');
+  frames(3, 0.5);
+  EXPECT_EQ(viewer_.state(), RunState::Frozen);
+  EXPECT_NE(viewer_.message().find("dopri54 came to a stand at 0.000 s"), std::string::npos) << viewer_.message();
+  EXPECT_EQ(ticks(), 0);
+  look_ = 0;
+  tap('M');
+  frames(3, 0.5);
+  EXPECT_EQ(viewer_.state(), RunState::Running);
+  EXPECT_NE(viewer_.method().name, "dopri54");
+  EXPECT_GT(viewer_.time(), 0);
+}
+
+class PushedLaterViewerTest : public ViewerTest {
+ protected:
+  static Scene pushedLater() {
+    Scene scene = curtain();
+    scene.gravity = {};
+    scene.pushes = {{.particle = {.name = "middle"}, .force = {0, 0, 5}, .at = 3, .duration = 0.1}};
+    return scene;
+  }
+  PushedLaterViewerTest() : ViewerTest(pushedLater()) {}
+};
+
+TEST_F(PushedLaterViewerTest, AClothWithAPushStillToComeStaysAwake) {
+  tap(' ');
+  for (int frame = 0; frame < 240; ++frame) {
+    frames(1);
+    ASSERT_FALSE(viewer_.asleep());
+  }
+  EXPECT_GT(viewer_.time(), 3.5);
+}
+
+TEST_F(ViewerTest, ASafeStepIsNineTenthsOfTheLimitWhereNothingFailed) {
+  frames(1);
+  for (int k = 0; k < 2; ++k) {
+    tap('V'), frames(1);
+    EXPECT_NEAR(viewer_.simulation().dt(), 0.9 * viewer_.margin().limit, 0.05 * viewer_.margin().limit);
+  }
+  tap('M');
+  EXPECT_EQ(viewer_.method().name, "rk4") << "a method that holds is a way out of a failure";
+}
+
+}  // namespace
+}  // namespace tyg
