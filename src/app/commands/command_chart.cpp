@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <memory>
-#include <sstream>
 
 #include "app/command_line.h"
 #include "app/commands/commands.h"
@@ -88,12 +86,7 @@ struct Earlier {
 Earlier readEarlier(const Scene& scene, const std::string& path) {
   Earlier earlier;
   if (path.empty()) return earlier;
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) {
-    throw InputError("--compare: cannot read '" + path + "'; allowed is a rows.csv of tyg chart");
-  }
-  earlier.text = text.str();
+  earlier.text = readWholeFile(path, "--compare: cannot read", "a rows.csv of tyg chart");
   earlier.rows = parseWorkCsv(earlier.text, path);
   const auto grid = [](int columns, int rows) { return std::to_string(columns) + "x" + std::to_string(rows); };
   const std::string here = "'" + scene.name + "' of " + grid(scene.columns, scene.rows);

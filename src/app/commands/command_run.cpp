@@ -1,10 +1,8 @@
 // `tyg run`: simulate a scene without a window, and report.
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <fstream>
 #include <iostream>
 #include <memory>
-#include <sstream>
 
 #include "app/command_line.h"
 #include "app/commands/commands.h"
@@ -16,6 +14,7 @@
 #include "tyg/methods.h"
 #include "util/interrupt.h"
 #include "util/text.h"
+#include "util/whole_file.h"
 
 namespace tyg {
 namespace {
@@ -45,12 +44,7 @@ constexpr const char* kExamples =
     "After 1 and 130 no CSV file is written.";
 
 PushLog readLog(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) {
-    throw InputError("--replay: cannot read '" + path + "'; allowed is a file written by tyg view --record");
-  }
-  return parsePushLog(text.str(), path);
+  return parsePushLog(readWholeFile(path, "--replay: cannot read", "a file written by tyg view --record"), path);
 }
 
 template <class T>
