@@ -1,4 +1,4 @@
-// See text.h.
+// Numbers by to_chars, which does not mind the locale.
 #include "util/text.h"
 
 #include <array>

@@ -5,6 +5,8 @@
 #include <iostream>
 #include <memory>
 
+#include <fmt/core.h>
+
 #include "app/command_line.h"
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
@@ -13,7 +15,6 @@
 #include "study/charts/trajectory_plot.h"
 #include "tyg/methods.h"
 #include "util/interrupt.h"
-#include "util/text.h"
 #include "util/whole_file.h"
 
 namespace tyg {
@@ -42,8 +43,8 @@ std::vector<ChartedParticle> chosenParticles(const Scene& scene, const std::stri
   std::vector<ChartedParticle> particles;
   for (const std::string& name : splitList(list)) particles.push_back(chartedParticle(scene, name));
   if (particles.empty() || particles.size() > kMostParticles) {
-    throw InputError("--particles: found " + std::to_string(particles.size()) + " names, allowed are 1 to " +
-                     std::to_string(kMostParticles) + " with commas between");
+    throw InputError(fmt::format("--particles: found {} names, allowed are 1 to {} with commas between",
+                                 particles.size(), kMostParticles));
   }
   return particles;
 }
@@ -61,10 +62,11 @@ TrajectoryStudy followed(const Scene& scene, const PlotOptions& options) {
 void sayWhatFailed(const TrajectoryStudy& study) {
   for (const Trajectory& run : study.runs) {
     if (run.status == Status::Ok) continue;
-    std::cerr << "tyg plot: " << run.method->name
-              << (run.method->adaptive ? formatted(" with a tolerance of %.4g m was ", study.scene.tolerance)
-                                       : formatted(" with a step of %.4g s was ", study.scene.dt))
-              << nameOf(run.status) << " at t = " << run.failedAt << " s; its curve ends there" << std::endl;
+    const std::string setting = run.method->adaptive ? fmt::format("a tolerance of {:.4g} m", study.scene.tolerance)
+                                                     : fmt::format("a step of {:.4g} s", study.scene.dt);
+    std::cerr << fmt::format("tyg plot: {} with {} was {} at t = {:g} s; its curve ends there", run.method->name,
+                             setting, nameOf(run.status), run.failedAt)
+              << std::endl;
   }
 }
 

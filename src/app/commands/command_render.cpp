@@ -3,12 +3,13 @@
 #include <memory>
 #include <optional>
 
+#include <fmt/core.h>
+
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
 #include "app/output/render.h"
 #include "study/motion/telling_moment.h"
 #include "util/file_names.h"
-#include "util/text.h"
 
 namespace tyg {
 namespace {
@@ -47,12 +48,14 @@ std::vector<double> chosenTimes(const Scene& scene, const RenderOptions& options
   const double fps = options.fps.value_or(RenderRequest{}.fps);
   if (!(to > from)) throw InputError("--to: found a time that is not after --from, allowed is a later one");
   if ((to - from) * fps > double(kMostFrames)) {
-    throw InputError("--from, --to, --fps: found more than 100000 frames, allowed are fewer");
+    throw InputError(fmt::format("--from, --to, --fps: found more than {} frames, allowed are fewer", kMostFrames));
   }
   std::vector<double> times = frameTimes(from, to, fps);
   if (times.size() == 1 && !isPicture) {
-    throw InputError("--to: found less than one frame after --from, allowed for a movie or a folder is " +
-                     formatted("%.4g s or more at %.4g pictures per second", from + 1 / fps, fps));
+    throw InputError(fmt::format(
+        "--to: found less than one frame after --from, allowed for a movie or a folder is {:.4g} s or more at {:.4g} "
+        "pictures per second",
+        from + 1 / fps, fps));
   }
   return times;
 }

@@ -4,6 +4,8 @@
 #include <iostream>
 #include <memory>
 
+#include <fmt/core.h>
+
 #include "app/command_line.h"
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
@@ -13,7 +15,6 @@
 #include "study/limits/stability.h"
 #include "tyg/methods.h"
 #include "util/interrupt.h"
-#include "util/text.h"
 #include "util/whole_file.h"
 
 namespace tyg {
@@ -86,10 +87,10 @@ Scene fitted(Scene scene, const SceneOptions& options, const PushLog& log) {
   const std::string precision(nameOf(log.precision));
   mustAgree("--precision", options.precision, precision, precision);
   mustAgree("--integrator", options.integrator, log.integrator, log.integrator);
-  mustAgree("--dt", options.dt, log.dt, formatted("%g s", log.dt));
+  mustAgree("--dt", options.dt, log.dt, fmt::format("{:g} s", log.dt));
   if (!log.sceneText.empty()) {
     const double tolerance = loggedScene(log).tolerance;
-    mustAgree("--tolerance", options.tolerance, tolerance, formatted("%g m", tolerance));
+    mustAgree("--tolerance", options.tolerance, tolerance, fmt::format("{:g} m", tolerance));
     scene.tolerance = tolerance;
   }
   scene.precision = log.precision;
@@ -195,7 +196,8 @@ int run(const RunOptions& options) {
     run->toTheEnd(file ? &*file : nullptr);
   }
   if (interrupted()) {
-    std::cerr << "tyg run: interrupted at t = " << run->simulation().time() << " s; nothing was written" << std::endl;
+    std::cerr << fmt::format("tyg run: interrupted at t = {:g} s; nothing was written", run->simulation().time())
+              << std::endl;
     return kInterrupted;
   }
   if (file && !run->failed()) file->keep();

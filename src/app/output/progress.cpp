@@ -1,4 +1,4 @@
-// The progress line.
+// Each drawing wipes the line and writes it anew.
 #include "app/output/progress.h"
 
 #include <unistd.h>
@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 #include <utility>
+
+#include <fmt/core.h>
 
 namespace tyg {
 namespace {
@@ -31,22 +33,19 @@ void Progress::show(double fraction) {
   if (now < nextDraw_) return;
   nextDraw_ = now + kBetweenDraws;
   drawn_ = true;
-  std::fprintf(stderr, "%s%s: %3.0f %%", kWipe, what_.c_str(), std::floor(100 * fraction));
+  fmt::print(stderr, "{}{}: {:3.0f} %", kWipe, what_, std::floor(100 * fraction));
   if (fraction > 0) {
     const double taken = std::chrono::duration<double>(now - start_).count();
-    std::fprintf(stderr, ", %s left (Ctrl-C stops)", readableTime(taken * (1 - fraction) / fraction).c_str());
+    fmt::print(stderr, ", {} left (Ctrl-C stops)", readableTime(taken * (1 - fraction) / fraction));
   }
   std::fflush(stderr);
 }
 
 std::string readableTime(double seconds) {
   const auto whole = static_cast<long long>(std::ceil(std::fmin(seconds, 1e15)));
-  const auto pair = [](long long high, const char* highUnit, long long low, const char* lowUnit) {
-    return std::to_string(high) + highUnit + std::to_string(low) + lowUnit;
-  };
-  if (whole < 60) return std::to_string(whole) + " s";
-  if (whole < 3600) return pair(whole / 60, " min ", whole % 60, " s");
-  return pair(whole / 3600, " h ", whole / 60 % 60, " min");
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  return fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
 }
 
 }  // namespace tyg

@@ -1,13 +1,14 @@
-// Rendering without a display; see render.h. A sequence is simulated twice: the first time tells how far the cloth
-// moves (and whether it stays stable at all), so that the view can stand still without losing it.
+// A sequence is simulated twice: the first time tells how far the cloth moves (and whether it stays stable at all), so
+// that the camera can stay where it is without losing the cloth.
 #include "app/output/render.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <limits>
 #include <optional>
+
+#include <fmt/core.h>
 
 #include "app/command_line.h"
 #include "app/output/progress.h"
@@ -127,9 +128,7 @@ Studio openStudio(const Sheet& sheet, const RenderRequest& request) {
 }
 
 fs::path frameFile(const RenderRequest& request, std::size_t frame) {
-  std::array<char, 40> name{};
-  std::snprintf(name.data(), name.size(), "frame_%05zu.png", frame);
-  return request.out / name.data();
+  return request.out / fmt::format("frame_{:05}.png", frame);
 }
 
 /// Nothing is computed for an output that cannot be written.
