@@ -1,4 +1,4 @@
-// Numbers are read by from_chars and written by fmt: neither minds the locale.
+// Numbers are read by from_chars and written by fmt: neither depends on the locale.
 #include "util/amounts.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Numbers by to_chars, which does not mind the locale.
+// Numbers by to_chars, which does not depend on the locale.
 #include "util/text.h"
 
 #include <array>

@@ -22,11 +22,11 @@ constexpr std::size_t kPageWidth = 80, kNameWidth = 20;
 
 /// A text in lines that fit between `indent` and the edge of the page.
 std::string paragraph(const std::string& text, std::size_t indent) {
-  const std::string margin(indent, ' ');
-  std::string lines = margin;
+  const std::string blanks(indent, ' ');
+  std::string lines = blanks;
   for (const char character : wrapped(text, float(kPageWidth - indent), characterCount)) {
     lines += character;
-    if (character == '\n') lines += margin;
+    if (character == '\n') lines += blanks;
   }
   return lines + "\n";
 }
@@ -57,7 +57,7 @@ std::string described(Kind kind) {
 }
 
 std::string page() {
-  std::string text = "Scenes (for example: tyg view NAME; the path of a .toml file serves as well)\n\n";
+  std::string text = "Scenes (use one with tyg view NAME; the path of a .toml file works too)\n\n";
   text += described(Kind::Showing);
   text += "\nScenes that fail (tyg run NAME exits with 1 and says why and what to do)\n\n";
   text += described(Kind::Failing);

@@ -1,13 +1,17 @@
-// Each drawing wipes the line and writes it anew.
+// The line is wiped and written again each time.
 #include "app/output/progress.h"
 
 #include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
+#include <iostream>
 #include <utility>
 
 #include <fmt/core.h>
+
+#include "app/command_line.h"
+#include "util/interrupt.h"
 
 namespace tyg {
 namespace {
@@ -27,10 +31,17 @@ void Progress::finish() {
   drawn_ = false;
 }
 
-void Progress::show(double fraction) {
-  if (!terminal_) return;
+bool Progress::show(double fraction) {
+  if (terminal_ && Clock::now() >= nextDraw_) draw(fraction);
+  return !interrupted();
+}
+
+std::function<bool(double)> Progress::part(double from, double to) {
+  return [this, from, to](double fraction) { return show(from + (to - from) * fraction); };
+}
+
+void Progress::draw(double fraction) {
   const Clock::time_point now = Clock::now();
-  if (now < nextDraw_) return;
   nextDraw_ = now + kBetweenDraws;
   drawn_ = true;
   fmt::print(stderr, "{}{}: {:3.0f} %", kWipe, what_, std::floor(100 * fraction));
@@ -39,6 +50,11 @@ void Progress::show(double fraction) {
     fmt::print(stderr, ", {} left (Ctrl-C stops)", readableTime(taken * (1 - fraction) / fraction));
   }
   std::fflush(stderr);
+}
+
+int sayInterrupted(const std::string& command, const std::string& kept) {
+  std::cerr << command << ": interrupted; " << kept << std::endl;
+  return kInterrupted;
 }
 
 std::string readableTime(double seconds) {
