@@ -36,8 +36,6 @@ class Keeper {
   [[nodiscard]] const std::string& movieName() const { return movieName_; }           ///< of the last movie begun
 
  private:
-  [[nodiscard]] std::string freeStem(const std::string& sceneName) const;
-
   std::filesystem::path folder_;
   std::unique_ptr<Movie> movie_;
   std::string movieName_;

@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "ui/panels/style.h"
-#include "ui/wrapped.h"
+#include "util/wrapped.h"
 
 namespace tyg {
 namespace {

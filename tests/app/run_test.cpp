@@ -9,7 +9,6 @@
 #include <thread>
 
 #include "app/program.h"
-#include "app/reports/json.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"
 
@@ -133,7 +132,7 @@ TEST(Run, AFailureNamesMethodStepTimeLimitAndAWayOut) {
 TEST(Run, EnergiesOfAClothThatHasFlownApartAreNotPrintedAndThoseOfOneThatTremblesAre) {
   for (const char* past : {"run wet --integrator rkc2 --dt 0.12", "run wet --dt 0.01 --duration 1 --keep-going"}) {
     const Outcome apart = tyg(past);
-    EXPECT_TRUE(holds(apart.out, "past meaning")) << apart.out;
+    EXPECT_TRUE(holds(apart.out, "without meaning")) << apart.out;
     for (const char* word : {"kinetic", " J", "stretch"}) EXPECT_FALSE(holds(apart.out, word)) << apart.out;
   }
   const Outcome trembles = tyg("run fail-jitter");
@@ -147,12 +146,12 @@ TEST(Run, ThatRoundingSpoilsIsAdvisedALongerStepOrDouble) {
   EXPECT_TRUE(holds(outcome.err, "rounding of float. Try --precision double, or --dt 0.0")) << outcome.err;
 }
 
-TEST(Run, ThatATolerancesStepsWouldNeverEndComesToAStand) {
+TEST(Run, IsHaltedWhereTheStepsOfAToleranceWouldNeverEnd) {
   for (const char* more : {"", " --keep-going --json"}) {
     const Outcome outcome = tyg(std::string("run curtain --integrator bs32 --tolerance 1e-300") + more);
     if (*more == 0) {
       EXPECT_EQ(outcome.code, 1);
-      EXPECT_TRUE(holds(outcome.err, "bs32 came to a stand at t = ")) << outcome.err;
+      EXPECT_TRUE(holds(outcome.err, "bs32 was halted at t = ")) << outcome.err;
       EXPECT_TRUE(holds(outcome.err, "Try a larger --tolerance.")) << outcome.err;
     } else {
       EXPECT_EQ(jsonValue(outcome.out, "status"), "\"not-finite\"");
@@ -263,18 +262,6 @@ TEST(Run, AnInterruptLeavesNoFileAndSaysSo) {
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_TRUE(holds(contentsOf(err), "interrupted")) << contentsOf(err);
   EXPECT_EQ(output.fileCount(), 0U);
-}
-
-TEST(Json, StringsAreEscapedAndStayValidUtf8) {
-  EXPECT_EQ(jsonString("a\"b\\c\n\t\x01"), R"("a\"b\\c\n\t\u0001")");
-  EXPECT_EQ(jsonString("\xC3\xA5"), "\"\xC3\xA5\"");
-  EXPECT_EQ(jsonString("\xE5x"), "\"\\ufffdx\"");
-}
-
-TEST(Json, NumbersReadBackAsThemselvesAndNonFiniteOnesAreNull) {
-  EXPECT_EQ(jsonNumber(0.1), "0.1");
-  EXPECT_EQ(jsonNumber(std::nan("")), "null");
-  EXPECT_EQ(jsonNumber(-INFINITY), "null");
 }
 
 }  // namespace

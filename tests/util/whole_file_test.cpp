@@ -167,6 +167,25 @@ TEST(WholeFile, ThatDoesNotFitLeavesTheOldOneAndNothingElse) {
   EXPECT_EQ(contentsOf(old), std::string(1000, 'x'));
 }
 
+TEST(WholeFile, IsReadByteForByte) {
+  const Folder folder;
+  const std::string bytes("one\r\n\0two", 9);
+  EXPECT_EQ(readWholeFile(folder.write("a.csv", bytes), "cannot read", "a file"), bytes);
+  EXPECT_EQ(readWholeFile(folder.write("empty", ""), "cannot read", "a file"), "");
+}
+
+TEST(WholeFile, ThatCannotBeReadIsRefusedWithTheReasonAndWhatIsAllowed) {
+  const Folder folder;
+  const fs::path nowhere = folder / "nowhere";
+  try {
+    readWholeFile(nowhere, "--log: cannot read", "a log");
+    ADD_FAILURE() << "it was read";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), "--log: cannot read '" + nowhere.string() + "': No such file or directory; allowed: a log");
+  }
+  EXPECT_THROW(readWholeFile(folder.path(), "", ""), InputError);
+}
+
 TEST(WholeFile, MayHaveTheLongestName) {
   const Folder folder;
   const fs::path longest = folder / (std::string(251, 'n') + ".csv");

@@ -1,11 +1,10 @@
-// Undo and redo, the way back to the scene's own values, and files that take no other file's place.
+// Undo and redo, and the way back to the scene's own values.
 #include "viewer/edits.h"
 
 #include <gtest/gtest.h>
 
 #include "files.h"
 #include "tyg/methods.h"
-#include "util/file_names.h"
 
 namespace tyg {
 namespace {
@@ -122,15 +121,6 @@ TEST(Edits, WhatThePastWasSetToIsNoChange) {
   edits.undo(viewer), frames(1);
   EXPECT_FALSE(edits.canUndo());
   EXPECT_TRUE(edits.canRedo());
-}
-
-TEST(FreeName, TakesNoOtherFilesPlace) {
-  const Folder folder;
-  EXPECT_EQ(freeName(folder.path(), "a", ".toml"), folder / "a.toml");
-  folder.write("a.toml", "x");
-  EXPECT_EQ(freeName(folder.path(), "a", ".toml"), folder / "a-2.toml");
-  folder.write("a-2.toml", "x");
-  EXPECT_EQ(freeName(folder.path(), "a", ".toml"), folder / "a-3.toml");
 }
 
 }  // namespace

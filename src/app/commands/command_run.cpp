@@ -1,10 +1,10 @@
 // `tyg run`: simulate a scene without a window, and report.
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <fstream>
 #include <iostream>
 #include <memory>
-#include <sstream>
+
+#include <fmt/core.h>
 
 #include "app/command_line.h"
 #include "app/commands/commands.h"
@@ -15,7 +15,7 @@
 #include "study/limits/stability.h"
 #include "tyg/methods.h"
 #include "util/interrupt.h"
-#include "util/text.h"
+#include "util/whole_file.h"
 
 namespace tyg {
 namespace {
@@ -28,29 +28,23 @@ struct RunOptions {
 };
 
 constexpr const char* kExamples =
-    "--out: the K sample times are stop times, duration/K apart and met exactly, so steps may be cut to end on them; "
-    "the\n"
-    "header is t,particle,x,y,z,vx,vy,vz (s, m, m/s), 17 significant digits. --json keys: dt_asked and dt in s (dt is "
-    "the\n"
-    "largest step taken), seconds of stepping alone, energies in J, stable_dt in s; numbers that are not finite are "
-    "null.\n\n"
-    "Examples:\n"
-    "  tyg run curtain\n"
-    "  tyg run flag --integrator leapfrog --dt 0.001 --ledger\n"
-    "  tyg run poke --samples 100 --out poke.csv\n"
-    "  tyg run curtain --sheet 200x200 --precision float --threads 2 --json\n"
-    "  tyg run --replay clicks.csv             what `tyg view curtain --record clicks.csv` saw, to the same bits\n\n"
-    "Exit codes: 0 done; 1 the run became unstable, or a replay ended in other bits; 2 wrong input or usage; 130 "
-    "Ctrl-C.\n"
-    "After 1 and 130 no CSV file is written.";
+    R"(--out writes t,particle,x,y,z,vx,vy,vz (s, m, m/s) with 17 significant digits. The K sample times
+are duration/K apart and are met exactly, so a step may be shortened to end on one.
+--json: dt_asked and dt are in s (dt is the largest step taken), seconds is the computing time of
+the steps alone, energies are in J, stable_dt is in s, and numbers that are not finite are null.
+
+Examples:
+  tyg run curtain
+  tyg run flag --integrator leapfrog --dt 0.001 --ledger
+  tyg run poke --samples 100 --out poke.csv
+  tyg run curtain --sheet 200x200 --precision float --threads 2 --json
+  tyg run --replay clicks.csv    what `tyg view curtain --record clicks.csv` saw, to the same bits
+
+Exit codes: 0 done; 1 the run became unstable, or a replay ended in other bits; 2 wrong input or
+usage; 130 interrupted by Ctrl-C. After 1 and 130 no CSV file is written.)";
 
 PushLog readLog(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) {
-    throw InputError("--replay: cannot read '" + path + "'; allowed is a file written by tyg view --record");
-  }
-  return parsePushLog(text.str(), path);
+  return parsePushLog(readWholeFile(path, "--replay: cannot read", "a file written by tyg view --record"), path);
 }
 
 template <class T>
@@ -92,10 +86,10 @@ Scene fitted(Scene scene, const SceneOptions& options, const PushLog& log) {
   const std::string precision(nameOf(log.precision));
   mustAgree("--precision", options.precision, precision, precision);
   mustAgree("--integrator", options.integrator, log.integrator, log.integrator);
-  mustAgree("--dt", options.dt, log.dt, formatted("%g s", log.dt));
+  mustAgree("--dt", options.dt, log.dt, fmt::format("{:g} s", log.dt));
   if (!log.sceneText.empty()) {
     const double tolerance = loggedScene(log).tolerance;
-    mustAgree("--tolerance", options.tolerance, tolerance, formatted("%g m", tolerance));
+    mustAgree("--tolerance", options.tolerance, tolerance, fmt::format("{:g} m", tolerance));
     scene.tolerance = tolerance;
   }
   scene.precision = log.precision;
@@ -111,10 +105,7 @@ class Run {
       : options_(options),
         simulation_(scene, findMethod(scene.integrator), settingsOf(options)),
         progress_("tyg run " + scene.name) {
-    simulation_.observe([this] {
-      progress_.show(fractionDone());
-      return !interrupted();
-    });
+    simulation_.observe([this] { return progress_.show(fractionDone()); });
   }
 
   void toTheEnd(SampleFile* file) {
@@ -201,8 +192,8 @@ int run(const RunOptions& options) {
     run->toTheEnd(file ? &*file : nullptr);
   }
   if (interrupted()) {
-    std::cerr << "tyg run: interrupted at t = " << run->simulation().time() << " s; nothing was written" << std::endl;
-    return kInterrupted;
+    return sayInterrupted("tyg run",
+                          fmt::format("it was at t = {:g} s; nothing was written", run->simulation().time()));
   }
   if (file && !run->failed()) file->keep();
   return report(*run, options, log ? &*log : nullptr);
@@ -219,19 +210,20 @@ void addRunCommand(CLI::App& app, Action& action) {
   CLI::Option* scene = command->get_option("SCENE")->required(false);
   constexpr int kMostSamples = 1000000;
   auto* samples = command->add_option("--samples", options->samples,
-                                      "Sample times after t = 0 for --out, equally spaced [20]; without --out unused");
+                                      "Number of equally spaced sample times after t = 0, for --out [20]");
   samples->type_name("K")->check(
       [](const std::string& text) { return checkCount(text, kMostSamples, "sample times"); });
   auto* out = command->add_option("--out", options->out, "Write every particle at the sample times to this CSV file");
   out->type_name("FILE.csv");
-  command->add_flag("--ledger", options->ledger, "Follow the dissipated energy too, and report the ledger's drift");
-  command->add_flag("--keep-going", options->keepGoing, "Run on past the instability alarm and leave with 0");
+  command->add_flag("--ledger", options->ledger,
+                    "Add up the dissipated energy too, and report the drift of the energy ledger");
+  command->add_flag("--keep-going", options->keepGoing, "Go on after the instability alarm, and end with exit code 0");
   auto* replay = command->add_option("--replay", options->replay,
                                      "Do again what tyg view --record logged, with the log's method, step, "
                                      "tolerance and precision; without SCENE on its own scene");
   replay->type_name("LOG")->excludes(out)->excludes(samples)->excludes(command->get_option("--duration"));
   command->add_flag("--json", options->json, "Print one JSON object instead of the summary, after a failure too");
-  command->add_flag("--verbose", options->verbose, "First say on standard error what is simulated, and how");
+  command->add_flag("--verbose", options->verbose, "First print on standard error what is simulated, and how");
   command->footer(kExamples);
   command->callback([options, scene, replay, &action] {
     if (scene->count() == 0 && replay->count() == 0) throw CLI::RequiredError(scene->get_name(true));

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "ui/panels/scene_pictures.h"
-#include "ui/wrapped.h"
+#include "util/wrapped.h"
 #include "viewer/viewer.h"
 
 namespace tyg {

@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-#include "ui/wrapped.h"
+#include "util/wrapped.h"
 
 namespace tyg {
 

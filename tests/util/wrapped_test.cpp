@@ -1,5 +1,5 @@
 // Text in lines, where every letter is as wide as one.
-#include "ui/wrapped.h"
+#include "util/wrapped.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// See wrapped.h. Greedy: a word goes onto the line as long as it fits.
-#include "ui/wrapped.h"
+// Greedy: a word goes onto the line as long as it fits.
+#include "util/wrapped.h"
 
 namespace tyg {
 
