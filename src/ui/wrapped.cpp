@@ -1,4 +1,4 @@
-// See wrapped.h. Greedy: a word goes onto the line as long as it fits.
+// Greedy: a word goes onto the line as long as it fits.
 #include "ui/wrapped.h"
 
 namespace tyg {
