@@ -15,9 +15,10 @@ namespace {
 using Rgb = std::array<std::uint8_t, 3>;
 constexpr Rgb kInk{0x10, 0x14, 0x18};
 
-class Pen {
+class LegendWriter {
  public:
-  explicit Pen(Picture& picture) : picture_(picture), size_(std::max(14.0F, std::round(float(picture.height) / 36))) {
+  explicit LegendWriter(Picture& picture)
+      : picture_(picture), size_(std::max(14.0F, std::round(float(picture.height) / 36))) {
     font_ = addFont(atlas_, size_, true);
     atlas_.GetTexDataAsAlpha8(&alpha_, &alphaWidth_, &alphaHeight_);
     size_ = font_->FontSize;
@@ -76,12 +77,12 @@ class Pen {
 }  // namespace
 
 void writeLegend(Picture& picture, const std::vector<Caption>& lines) {
-  Pen pen(picture);
-  const float size = pen.size(), left = size, stroke = 2 * size;
+  LegendWriter writer(picture);
+  const float size = writer.size(), left = size, stroke = 2 * size;
   float y = size;
   for (const Caption& line : lines) {
-    if (line.stroke) pen.stroke(left, y + 0.45F * size, stroke, line.colour);
-    pen.text(left + (line.stroke ? stroke + 0.6F * size : 0), y, line.text);
+    if (line.stroke) writer.stroke(left, y + 0.45F * size, stroke, line.colour);
+    writer.text(left + (line.stroke ? stroke + 0.6F * size : 0), y, line.text);
     y += 1.5F * size;
   }
 }

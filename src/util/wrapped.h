@@ -9,7 +9,7 @@
 namespace tyg {
 
 /// The text with line breaks instead of spaces where it would become wider than `width`, as `widthOf` measures it.
-/// Words are not broken: one that is wider than that has a line of its own. Line breaks of the text stay.
+/// Words are not broken: one that is wider than that gets a line of its own. Line breaks of the text stay.
 std::string wrapped(std::string_view text, float width, const std::function<float(std::string_view)>& widthOf);
 
 }  // namespace tyg

@@ -20,7 +20,7 @@ TEST_F(HintsTest, TheFirstHintIsToPokeAndFollowingItBringsTheNext) {
   Hints hints(file_);
   const std::string first(hints.show(0));
   EXPECT_NE(first.find("poke"), std::string::npos);
-  hints.did(Hints::Deed::Poke);
+  hints.did(Hints::Topic::Poke);
   EXPECT_NE(hints.show(1), first);
   EXPECT_FALSE(hints.show(1).empty());
 }
@@ -36,7 +36,7 @@ TEST_F(HintsTest, AHintThatNobodyFollowsGoesAwayByItself) {
 TEST_F(HintsTest, WhatWasSeenDoesNotComeAgainInAnotherRun) {
   {
     Hints hints(file_);
-    hints.did(Hints::Deed::Poke), hints.did(Hints::Deed::Chart), hints.did(Hints::Deed::Ghost);
+    hints.did(Hints::Topic::Poke), hints.did(Hints::Topic::Chart), hints.did(Hints::Topic::Ghost);
   }
   Hints later(file_);
   EXPECT_TRUE(later.show(0).empty());
@@ -45,13 +45,13 @@ TEST_F(HintsTest, WhatWasSeenDoesNotComeAgainInAnotherRun) {
 TEST_F(HintsTest, WithoutAFileThereAreNone) {
   Hints hints(std::nullopt);
   EXPECT_TRUE(hints.show(0).empty());
-  hints.did(Hints::Deed::Ghost);
+  hints.did(Hints::Topic::Ghost);
 }
 
 TEST_F(HintsTest, AFolderThatCannotBeMadeOnlyBringsThemAgain) {
   folder_.write("state", "a file where a folder should be");
   Hints hints(file_);
-  hints.did(Hints::Deed::Poke);
+  hints.did(Hints::Topic::Poke);
   EXPECT_FALSE(hints.show(0).empty());
   EXPECT_NE(Hints(file_).show(0).find("poke"), std::string_view::npos);
 }

@@ -211,7 +211,7 @@ std::string leanComment(const DietFindings& findings) {
       "Made by `tyg diet {}`: the most reduced scene found within {}.\n{}\nIt loses {} and saves {:.0f} % of the time.",
       diet.written.scene.name, lengthText(diet.within),
       words.empty() ? "Nothing could be left out." : "Changes: " + joined(words) + ".",
-      lengthText(diet.reduced().lost.rms), 100 * diet.leanest().saved);
+      lengthText(diet.reduced().lost.rms), 100 * diet.reduced().saved);
 }
 
 }  // namespace tyg

@@ -1,4 +1,4 @@
-// See paragraph.h.
+// Breaks the lines itself, because ImGui breaks them differently from the rest of the window.
 #include "ui/panels/paragraph.h"
 
 #include <imgui.h>
