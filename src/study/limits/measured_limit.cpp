@@ -1,4 +1,4 @@
-// See measured_limit.h.
+// Tries one step after another: outward from where it is told to begin, then by bisection.
 #include "study/limits/measured_limit.h"
 
 #include <cmath>
@@ -63,15 +63,6 @@ Scene linearRegime(Scene scene) {
     scene.displacements.push_back({{"", particle % scene.columns, particle / scene.columns}, {x, y, z}});
   }
   return scene;
-}
-
-Scene withoutDamping(Scene scene) {
-  scene.structural.kd = scene.shear.kd = scene.bend.kd = scene.drag = 0;
-  return scene;
-}
-
-bool isDamped(const Scene& scene) {
-  return scene.structural.kd > 0 || scene.shear.kd > 0 || scene.bend.kd > 0 || scene.drag > 0;
 }
 
 double measuredLimit(const Scene& scene, const Method& method, const MeasurePlan& plan) {
