@@ -22,7 +22,7 @@ endif()
 
 # A room of the house: every source file in src/ROOM and its folders, plus generated ones.
 function(tyg_library room)
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${room}/*.cpp ${PROJECT_SOURCE_DIR}/src/${room}/*/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${room}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "row_kernel_level\\.cpp$")
   add_library(tyg_${room} STATIC ${sources} ${ARGN})
   target_include_directories(tyg_${room} PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)

@@ -5,6 +5,7 @@
 // particle.
 #include <Eigen/Dense>
 
+#include "core/forces/term.h"
 #include "integrators/make.h"
 #include "integrators/spring_list.h"
 
@@ -15,9 +16,10 @@ template <class T>
 class BackwardEuler final : public Integrator<T> {
  public:
   BackwardEuler(const Scene& scene, const Sheet& sheet)
-      : springs_(listSprings(scene, sheet)),
+      : scene_(scene),
+        springs_(listSprings(scene, sheet)),
         axial_(scene.damping == Damping::Axial),
-        drag_(T(scene.drag)),
+        particleDamping_(T(particleDamping(scene))),
         mass_(T(sheet.particleMass)),
         force_(Layout(sheet)) {
     const Layout& layout = force_.layout();
@@ -31,8 +33,7 @@ class BackwardEuler final : public Integrator<T> {
       v->assign(count, Vector::Zero());
     }
     inverse_.assign(count, Block::Zero());
-    stiffness_.resize(springs_.size());
-    damping_.resize(springs_.size());
+    fitBlocks();
   }
 
   void step(Forces<T>& forces, State<T>& state, double h) override {
@@ -52,6 +53,12 @@ class BackwardEuler final : public Integrator<T> {
     forces.measurePower(state.position, state.velocity);
     forces.dissipate(h);
   }
+  void useParameters(const Scene& scene, const Sheet& sheet) override {
+    relistSprings(springs_, scene_, scene, sheet);
+    scene_ = scene;
+    particleDamping_ = T(particleDamping(scene));
+    fitBlocks();
+  }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<BackwardEuler>(*this); }
   [[nodiscard]] std::size_t bytes() const override {
     return force_.bytes() + springs_.size() * sizeof(ListedSpring) + places_.size() * sizeof(std::ptrdiff_t) +
@@ -63,6 +70,11 @@ class BackwardEuler final : public Integrator<T> {
   using Vector = Eigen::Matrix<T, 3, 1>;
   using Block = Eigen::Matrix<T, 3, 3>;
   using Vectors = std::vector<Vector>;
+
+  void fitBlocks() {
+    stiffness_.resize(springs_.size());
+    damping_.resize(springs_.size());
+  }
 
   /// h^2 K and h C of every spring.
   void linearise(const State<T>& state, T h) {
@@ -84,7 +96,7 @@ class BackwardEuler final : public Integrator<T> {
     for (std::size_t k = 0; k < places_.size(); ++k) {
       velocity_[k] = at(state.velocity, places_[k]);
       residual_[k] = h * at(force_, places_[k]);
-      inverse_[k] = (mass_ + h * drag_) * Block::Identity();
+      inverse_[k] = (mass_ + h * particleDamping_) * Block::Identity();
     }
     for (std::size_t s = 0; s < springs_.size(); ++s) {
       const auto [a, b] = ends(s);
@@ -94,7 +106,7 @@ class BackwardEuler final : public Integrator<T> {
       inverse_[a] += stiffness_[s] + damping_[s];
       inverse_[b] += stiffness_[s] + damping_[s];
     }
-    diagonal_ = mass_ + h * drag_;
+    diagonal_ = mass_ + h * particleDamping_;
     for (std::size_t k = 0; k < places_.size(); ++k) {
       inverse_[k] = isFree[places_[k]] * inverse_[k].inverse().eval();
       residual_[k] *= isFree[places_[k]];
@@ -153,9 +165,10 @@ class BackwardEuler final : public Integrator<T> {
             std::size_t(index_[std::size_t(springs_[spring].second)])};
   }
 
+  Scene scene_;
   std::vector<ListedSpring> springs_;
   bool axial_;
-  T drag_, mass_, diagonal_ = 0;
+  T particleDamping_, mass_, diagonal_ = 0;
   VectorField<T> force_;
   std::vector<int> index_;              // by place: the particle
   std::vector<std::ptrdiff_t> places_;  // by particle: its place

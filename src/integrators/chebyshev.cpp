@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/forces/term.h"
 #include "core/spectrum/rest_spectrum.h"
 #include "integrators/chebyshev_table.h"
 
@@ -45,8 +46,7 @@ double stiffnessPerDamping(Scene scene) {
   constexpr double kLarger = 1.05;  // sheets of up to 13 x 13 were found to have up to a fiftieth more
   scene.columns = std::min(scene.columns, kMost), scene.rows = std::min(scene.rows, kMost);
   scene.pins.clear();
-  scene.drag = 0;
-  return kLarger * RestSpectrum(scene).mostStiffnessPerDamping();
+  return kLarger * RestSpectrum(withoutParticleDamping(scene)).mostStiffnessPerDamping();
 }
 
 /// Adds modes of every stiffness with the least damping that a motion of such stiffness has.
@@ -54,10 +54,10 @@ void addLeastDamped(const Scene& scene, std::vector<Mode>& modes) {
   constexpr int kSamples = 100;
   Mode most;
   for (const Mode& mode : modes) most = {std::max(most.w2, mode.w2), std::max(most.d, mode.d)};
-  const double ratio = stiffnessPerDamping(scene), drag = scene.drag / scene.particleMass;
+  const double ratio = stiffnessPerDamping(scene), least = particleDamping(scene) / scene.particleMass;
   for (int k = 1; k <= kSamples; ++k) {
     const double w2 = most.w2 * k * k / (kSamples * kSamples);
-    modes.push_back({w2, std::min(most.d, drag + w2 / ratio)});
+    modes.push_back({w2, std::min(most.d, least + w2 / ratio)});
   }
 }
 

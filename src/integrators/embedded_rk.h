@@ -21,9 +21,7 @@ template <class T, class Table>
 class EmbeddedRk final : public Integrator<T> {
  public:
   EmbeddedRk(const Scene& scene, const Sheet& sheet)
-      : control_(firstStep(scene), Table::kRoots),
-        stagePosition_{Layout(sheet)},
-        errorFromRow_(std::size_t(sheet.rows)) {
+      : control_(controlOf(scene)), stagePosition_{Layout(sheet)}, errorFromRow_(std::size_t(sheet.rows)) {
     velocity_.fill(VectorField<T>{Layout(sheet)});
     force_.fill(VectorField<T>{Layout(sheet)});
   }
@@ -45,6 +43,10 @@ class EmbeddedRk final : public Integrator<T> {
   }
 
   void reset() override { haveFirst_ = false; }
+  void useParameters(const Scene& scene, const Sheet& /*sheet*/) override {
+    control_ = controlOf(scene);
+    reset();
+  }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<EmbeddedRk>(*this); }
   [[nodiscard]] std::size_t bytes() const override { return stagePosition_.bytes() + 2 * kStages * force_[0].bytes(); }
 
@@ -52,6 +54,8 @@ class EmbeddedRk final : public Integrator<T> {
   static constexpr int kStages = Table::kStages;
   static constexpr int kLast = kStages - 1;
   using AllStages = std::make_index_sequence<kStages>;
+
+  static StepControl controlOf(const Scene& scene) { return {firstStep(scene), Table::kRoots}; }
 
   /// Velocity of a stage; the first stage is the state itself.
   template <std::size_t j>

@@ -3,6 +3,9 @@
 // Second order; stable to h w = 2 whatever the damping. D is factored once for each step length.
 #include <Eigen/SparseCholesky>
 
+#include <algorithm>
+
+#include "core/forces/term.h"
 #include "integrators/kick_and_drift.h"
 #include "integrators/make.h"
 #include "integrators/spring_list.h"
@@ -27,6 +30,11 @@ class Imex final : public Integrator<T> {
       }
     }
     buildDamping();
+  }
+  void useParameters(const Scene& scene, const Sheet& /*sheet*/) override {
+    const bool dampsAlike = valuesOf(scene, Role::Damping) == valuesOf(scene_, Role::Damping);
+    scene_ = scene;
+    if (!dampsAlike) buildDamping();
   }
   Imex(const Imex& other) : Imex(other.scene_, other.sheet_) {}
 
@@ -55,27 +63,36 @@ class Imex final : public Integrator<T> {
   using Matrix = Eigen::SparseMatrix<T>;
   using Columns = Eigen::Matrix<T, Eigen::Dynamic, 3>;
 
-  /// D over the particles that move: the graph Laplacian weighted with kd, plus drag.
+  /// D over the particles that move: the graph Laplacian weighted with kd, plus what resists single particles.
   void buildDamping() {
     std::vector<Eigen::Triplet<T>> entries;
     const auto add = [&](int row, int column, double value) {
       if (row >= 0 && column >= 0) entries.emplace_back(row, column, T(value));
     };
-    for (std::size_t k = 0; k < places_.size(); ++k) add(int(k), int(k), scene_.drag);
-    isDamped_ = scene_.drag > 0;
+    const double ofParticles = particleDamping(scene_);
+    for (std::size_t k = 0; k < places_.size(); ++k) add(int(k), int(k), ofParticles);
+    isDamped_ = isDamped(scene_);
     for (const ListedSpring& spring : listSprings(scene_, sheet_)) {
       if (spring.kd <= 0) continue;
-      isDamped_ = true;
       const int a = unknown_[std::size_t(spring.first)], b = unknown_[std::size_t(spring.second)];
       add(a, a, spring.kd), add(b, b, spring.kd), add(a, b, -spring.kd), add(b, a, -spring.kd);
     }
     const auto size = Eigen::Index(places_.size());
+    const Matrix before = damping_;
     damping_.resize(size, size);
     damping_.setFromTriplets(entries.begin(), entries.end());
     mass_.resize(size, size);
     mass_.setIdentity();
     mass_ *= T(sheet_.particleMass);
-    if (isDamped_) factor_.analyzePattern(mass_ + damping_);
+    factoredFor_ = 0;
+    if (isDamped_ && !(isAnalyzed_ && samePattern(before, damping_))) factor_.analyzePattern(mass_ + damping_);
+    isAnalyzed_ = isDamped_;
+  }
+
+  static bool samePattern(const Matrix& a, const Matrix& b) {
+    return a.cols() == b.cols() && a.nonZeros() == b.nonZeros() &&
+           std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.cols() + 1, b.outerIndexPtr()) &&
+           std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
   }
 
   /// Solved for the change of the velocity, (M + h/2 D) (v' - v) = h (F - D v), whose rounding is the smaller one.
@@ -105,9 +122,9 @@ class Imex final : public Integrator<T> {
   Scene scene_;
   Sheet sheet_;
   VectorField<T> still_, force_;
-  std::vector<int> unknown_;            // by place: index of the unknown, or -1 at pins and ghosts
+  std::vector<int> unknown_;            // by place: index of the unknown, or -1 at pins and padding
   std::vector<std::ptrdiff_t> places_;  // by unknown: its place
-  bool isDamped_ = false;
+  bool isDamped_ = false, isAnalyzed_ = false;
   Matrix damping_, mass_;
   Eigen::SimplicialLDLT<Matrix> factor_;
   double factoredFor_ = 0;

@@ -4,10 +4,12 @@
 // The stages are the fewest for which every wave of the sheet stays bounded; a step at which none do is past the
 // method's limit, and gets two.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "core/forces/field_ops.h"
+#include "core/forces/parameter.h"
 #include "integrators/chebyshev.h"
 #include "integrators/chebyshev_table.h"
 #include "integrators/make.h"
@@ -18,7 +20,8 @@ namespace {
 template <class T>
 class Rkc2 final : public Integrator<T> {
  public:
-  Rkc2(const Scene& scene, const Sheet& sheet) : modes_(chebyshevModes(scene)) {
+  Rkc2(const Scene& scene, const Sheet& sheet) {
+    useParameters(scene, sheet);
     const Layout layout(sheet);
     for (State<T>* stage : {&before_, &now_, &next_}) *stage = State<T>(layout);
     force0_ = force_ = VectorField<T>(layout);
@@ -49,6 +52,14 @@ class Rkc2 final : public Integrator<T> {
     }
     forces.addDissipated(h * spent);
     std::swap(state, now_);
+  }
+  /// The waves do not depend on gravity, nor on the tolerance.
+  void useParameters(const Scene& scene, const Sheet& /*sheet*/) override {
+    const std::array values{valuesOf(scene, Role::Stiffness), valuesOf(scene, Role::Damping)};
+    if (values == modesOf_) return;
+    modes_ = chebyshevModes(scene);
+    modesOf_ = values;
+    tableFor_ = 0;
   }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<Rkc2>(*this); }
   [[nodiscard]] std::size_t bytes() const override { return 3 * now_.bytes() + force0_.bytes() + force_.bytes(); }
@@ -90,6 +101,7 @@ class Rkc2 final : public Integrator<T> {
   }
 
   std::vector<Mode> modes_;
+  std::array<std::vector<Vec3>, 2> modesOf_;  // stiffness and damping of the scene that modes_ are of
   State<T> before_, now_, next_;
   VectorField<T> force0_, force_;
   ChebyshevStages stages_;

@@ -15,7 +15,8 @@ template <class T>
 class Xpbd final : public Integrator<T> {
  public:
   Xpbd(const Scene& scene, const Sheet& sheet)
-      : springs_(listSprings(scene, sheet)),
+      : scene_(scene),
+        springs_(listSprings(scene, sheet)),
         axial_(scene.damping == Damping::Axial),
         start_(Layout(sheet)),
         force_(Layout(sheet)) {}
@@ -34,6 +35,10 @@ class Xpbd final : public Integrator<T> {
       if (spring.ks > 0) project(forces, state.position, spring, h);
     }
     takeVelocity(forces, state, h);
+  }
+  void useParameters(const Scene& scene, const Sheet& sheet) override {
+    relistSprings(springs_, scene_, scene, sheet);
+    scene_ = scene;
   }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<Xpbd>(*this); }
   [[nodiscard]] std::size_t bytes() const override {
@@ -84,6 +89,7 @@ class Xpbd final : public Integrator<T> {
     addPair(position, spring, w1, w2, lambda / length, d);
   }
 
+  Scene scene_;
   std::vector<ListedSpring> springs_;
   bool axial_;
   VectorField<T> start_, force_;

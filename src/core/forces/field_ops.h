@@ -6,7 +6,7 @@
 
 namespace tyg {
 
-/// Calls `op(i)` for the place i, counted from x(), of every number of all three planes, pads and ghosts included; the
+/// Calls `op(i)` for the place i, counted from x(), of every number of all three planes, padding included; the
 /// same place means the same number in every field of this layout. `op` may read and write that place alone: the calls
 /// are shared over the workers and run side by side in the vector units. (Left to find out by itself whether fields
 /// overlap, the compiler gives up on loops over many of them and computes number by number.)

@@ -1,4 +1,4 @@
-// Sets up the row kernels for a scene and shares the rows out over threads.
+// Chooses the row kernels for what a scene has, hands them its numbers, and shares the rows out over threads.
 #include "core/forces/forces.h"
 
 #include <algorithm>
@@ -7,15 +7,11 @@
 #include <thread>
 
 #include "core/forces/row_kernel.h"
+#include "core/forces/term.h"
 #include "util/workers.h"
 
 namespace tyg {
 namespace {
-
-template <class T>
-SpringLaw<T> lawOf(const SpringFamily& family, double rest) {
-  return {T(family.ks), T(family.ks * rest), T(family.kd)};
-}
 
 int familiesOf(const Scene& scene) {
   return (scene.structural.present() ? kStructural : 0) | (scene.shear.present() ? kShear : 0) |
@@ -25,6 +21,25 @@ int familiesOf(const Scene& scene) {
 DampingTerm dampingOf(const Scene& scene) {
   if (scene.structural.kd <= 0 && scene.shear.kd <= 0 && scene.bend.kd <= 0) return DampingTerm::None;
   return scene.damping == Damping::Relative ? DampingTerm::Relative : DampingTerm::Axial;
+}
+
+/// The terms of a place that the scene has, a bit each.
+unsigned termsOf(const Scene& scene, TermPlace place) {
+  unsigned terms = 0, bit = 1;
+  AllTerms::forEach([&]<class Term>() {
+    if (Term::kPlace != place) return;
+    if (hasTerm(scene, Term::kTerm)) terms |= bit;
+    bit *= 2;
+  });
+  return terms;
+}
+
+/// Tells every term's numbers to who holds them.
+template <class T>
+void fill(AllTerms::Numbers<T>& numbers, const Scene& scene, const Sheet& sheet) {
+  AllTerms::forEach([&]<class Term>() {
+    static_cast<typename Term::template Numbers<T>&>(numbers) = Term::template numbersOf<T>(scene, sheet);
+  });
 }
 
 /// 1 for every column that has a neighbour `distance` to the right.
@@ -63,17 +78,31 @@ constexpr int kGroup = 4;
 
 template <class T>
 struct Forces<T>::Kernel {
+  explicit Kernel(const Sheet& ofSheet) : sheet(ofSheet) {}
+
   const RowKernels<T>& kernels = rowKernels<T>();
+  Sheet sheet;
   RowTask<T> task;  // all that does not change from call to call; its loops store the forces
   EnergyRow<T> energyRow;
   AlignedVector<T> hasRight, hasRight2, isFree;
-  std::vector<AlignedVector<T>> scratch;  // per thread and step of a group
-  std::vector<RowEnergy> rowEnergies;     // per row
-  double particleMass = 0;
+  std::vector<AlignedVector<T>> scratch;      // per thread and step of a group
+  std::vector<StoredEnergy> rowEnergies;      // per row
+  std::vector<double> rowPowers;              // W, per row
+  unsigned particleTerms = 0, cellTerms = 0;  // that the scene has, a bit each
+  bool damps = false;
+  std::vector<PushedParticle<T>> pushes;               // by row
   std::array<Progress, kMostSteps / kGroup> finished;  // rows, by each group of steps
 
-  [[nodiscard]] FinishForces<T> finish(Update update) const {
-    return kernels.finish[int(update)][task.drag > T(0) ? 1 : 0];
+  /// The loops that finish rows in which no push acts.
+  [[nodiscard]] FinishForces<T> finish(Update update) const { return kernels.finish[int(update)][particleTerms][0]; }
+  /// One row, with the pushes that act in it. Where there are none at all, nothing is looked up.
+  void run(RowTask<T>& rowTask, Update update, int row, bool finishes) const {
+    if (!pushes.empty()) {
+      const auto here = std::ranges::equal_range(pushes, row, {}, &PushedParticle<T>::row);
+      rowTask.firstPush = std::to_address(here.begin()), rowTask.endPush = std::to_address(here.end());
+      rowTask.finish = kernels.finish[int(update)][particleTerms][here.empty() ? 0 : 1];
+    }
+    rowTask.accumulate(rowTask, row, finishes);
   }
   T* cleanScratch(int slot) {
     AlignedVector<T>& memory = scratch[static_cast<std::size_t>(slot)];
@@ -84,7 +113,10 @@ struct Forces<T>::Kernel {
 
 template <class T>
 Forces<T>::Forces(const Scene& scene, const Sheet& sheet, Workers& workers)
-    : layout_(sheet), workers_(workers), inverseMass_(1.0 / sheet.particleMass), kernel_(std::make_unique<Kernel>()) {
+    : layout_(sheet),
+      workers_(workers),
+      inverseMass_(1.0 / sheet.particleMass),
+      kernel_(std::make_unique<Kernel>(sheet)) {
   Kernel& k = *kernel_;
   k.hasRight = columnMask<T>(layout_, 1);
   k.hasRight2 = columnMask<T>(layout_, 2);
@@ -92,35 +124,30 @@ Forces<T>::Forces(const Scene& scene, const Sheet& sheet, Workers& workers)
   k.scratch.assign(static_cast<std::size_t>(workers.threads() * kGroup),
                    AlignedVector<T>(rowScratchSize(layout_.stride)));
   k.rowEnergies.resize(static_cast<std::size_t>(layout_.rows));
-  k.particleMass = sheet.particleMass;
+  k.rowPowers.resize(static_cast<std::size_t>(layout_.rows));
 
   RowTask<T>& task = k.task;
-  task.stage = k.kernels.stage[familiesOf(scene)][int(dampingOf(scene))];
   constexpr int kVector = 64 / sizeof(T);  // numbers in the widest vector register
   task.width = (layout_.columns + kVector - 1) / kVector * kVector;
   task.rows = layout_.rows;
   task.stride = layout_.stride, task.plane = layout_.plane;
   task.hasRight = k.hasRight.data(), task.hasRight2 = k.hasRight2.data(), task.isFree = k.isFree.data();
-  const double rest[] = {restLength(sheet, Family::Structural), restLength(sheet, Family::Shear),
-                         restLength(sheet, Family::Bend)};
-  task.structural = lawOf<T>(scene.structural, rest[0]);
-  task.shear = lawOf<T>(scene.shear, rest[1]);
-  task.bend = lawOf<T>(scene.bend, rest[2]);
-  task.drag = T(scene.drag);
 
   EnergyRow<T>& row = k.energyRow;
   row.columns = layout_.columns, row.rows = layout_.rows;
   row.stride = layout_.stride, row.plane = layout_.plane;
-  row.families[0] = {scene.structural.ks, scene.structural.kd, rest[0]};
-  row.families[1] = {scene.shear.ks, scene.shear.kd, rest[1]};
-  row.families[2] = {scene.bend.ks, scene.bend.kd, rest[2]};
-  row.axial = scene.damping == Damping::Axial;
-  row.drag = scene.drag;
-  const double gravity[] = {scene.gravity.x, scene.gravity.y, scene.gravity.z};
-  for (int axis = 0; axis < 3; ++axis) {
-    row.weight[axis] = sheet.particleMass * gravity[axis];
-    task.weight[axis] = T(row.weight[axis]);
-  }
+  useParameters(scene);
+}
+
+template <class T>
+void Forces<T>::useParameters(const Scene& scene) {
+  Kernel& k = *kernel_;
+  k.particleTerms = termsOf(scene, TermPlace::Particles), k.cellTerms = termsOf(scene, TermPlace::Cells);
+  k.task.accumulate = k.kernels.accumulate[k.cellTerms][familiesOf(scene)][int(dampingOf(scene))];
+  fill<T>(k.task, scene, k.sheet);
+  fill<double>(k.energyRow, scene, k.sheet);
+  k.energyRow.axial = scene.damping == Damping::Axial;
+  k.damps = isDamped(scene);
 }
 
 template <class T>
@@ -128,7 +155,7 @@ Forces<T>::~Forces() = default;
 
 template <class T>
 void Forces<T>::evaluate(const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force) {
-  runBands(kernel_->task.stage, position, velocity, force);
+  runBands(kernel_->task.accumulate, position, velocity, force);
   ++account_.evaluations;
   measurePower(position, velocity);
 }
@@ -136,33 +163,23 @@ void Forces<T>::evaluate(const VectorField<T>& position, const VectorField<T>& v
 template <class T>
 void Forces<T>::evaluateWithoutSprings(const VectorField<T>& position, const VectorField<T>& velocity,
                                        VectorField<T>& force) {
-  runBands(kernel_->kernels.stage[0][int(DampingTerm::None)], position, velocity, force);
+  runBands(kernel_->kernels.accumulate[kernel_->cellTerms][0][int(DampingTerm::None)], position, velocity, force);
 }
 
-/// Each thread finishes a band of rows; the two rows above it are staged again rather than waited for.
+/// Each thread finishes a band of rows; the two rows above it are accumulated again rather than waited for.
 template <class T>
 template <class Loop>
-void Forces<T>::runBands(Loop stage, const VectorField<T>& position, const VectorField<T>& velocity,
+void Forces<T>::runBands(Loop accumulate, const VectorField<T>& position, const VectorField<T>& velocity,
                          VectorField<T>& force) {
   Kernel& k = *kernel_;
   workers_.forBands(layout_.rows, [&](int first, int last, int thread) {
     RowTask<T> task = k.task;
-    task.stage = stage;
+    task.accumulate = accumulate;
     task.finish = k.finish(Update::Store);
     task.position = position.x(), task.velocity = velocity.x(), task.force = force.x();
     task.scratch = k.cleanScratch(thread);
-    for (int row = std::max(0, first - 2); row < last; ++row) task.stage(task, row, row >= first);
+    for (int row = std::max(0, first - 2); row < last; ++row) k.run(task, Update::Store, row, row >= first);
   });
-  for (const PushedParticle& push : pushes_) {
-    force.x()[push.at] += T(push.force.x);
-    force.y()[push.at] += T(push.force.y);
-    force.z()[push.at] += T(push.force.z);
-  }
-}
-
-template <class T>
-bool Forces<T>::canAdvance() const {
-  return pushes_.empty() && !trackDissipation_;
 }
 
 template <class T>
@@ -171,7 +188,7 @@ void Forces<T>::kickAndDrift(State<T>& state, double h, int count) {
   task.finish = kernel_->finish(Update::KickAndDrift);
   task.velocity = state.velocity.x();
   task.kick = T(h * inverseMass_);
-  advance(task, state, h, count);
+  advance(task, Update::KickAndDrift, state, h, count);
 }
 
 template <class T>
@@ -180,14 +197,14 @@ void Forces<T>::leapfrog(State<T>& state, VectorField<T>& predicted, double h, i
   task.finish = kernel_->finish(Update::Leapfrog);
   task.velocity = task.seen = predicted.x();
   task.kick = T(h / 2 * inverseMass_);
-  advance(task, state, h, count);
+  advance(task, Update::Leapfrog, state, h, count);
 }
 
 /// Steps follow each other down the sheet: a step may finish a row once the step before has finished the two below it.
 /// Steps in groups of kGroup stay within one thread's cache; groups are dealt out to the threads in turn.
 template <class T>
 template <class Task>
-void Forces<T>::advance(Task task, State<T>& state, double h, int count) {
+void Forces<T>::advance(Task task, Update update, State<T>& state, double h, int count) {
   Kernel& k = *kernel_;
   task.position = task.moving = state.position.x();
   task.kicked = state.velocity.x();
@@ -207,7 +224,7 @@ void Forces<T>::advance(Task task, State<T>& state, double h, int count) {
         if (group > 0) k.finished[std::size_t(group - 1)].await(std::min(front + 3, rows));
         for (int step = 0; step < steps; ++step) {
           const int row = front - 2 * step;
-          if (row >= 0 && row < rows) tasks[std::size_t(step)].stage(tasks[std::size_t(step)], row, true);
+          if (row >= 0 && row < rows) k.run(tasks[std::size_t(step)], update, row, true);
         }
         k.finished[std::size_t(group)].rows.store(front - lag + 1, std::memory_order_release);
       }
@@ -227,8 +244,17 @@ const T* Forces<T>::freeMask() const {
 
 template <class T>
 void Forces<T>::addPush(int particle, const Vec3& force) {
-  const std::ptrdiff_t at = layout_.at(particle);
-  if (kernel_->isFree[static_cast<std::size_t>(at)] != T(0)) pushes_.push_back({at, force});
+  if (kernel_->isFree[static_cast<std::size_t>(layout_.at(particle))] == T(0)) return;
+  const PushedParticle<T> push{
+      particle / layout_.columns, particle % layout_.columns, {T(force.x), T(force.y), T(force.z)}};
+  std::vector<PushedParticle<T>>& pushes = kernel_->pushes;
+  pushes.insert(std::ranges::upper_bound(pushes, push.row, {}, &PushedParticle<T>::row), push);
+}
+
+template <class T>
+void Forces<T>::clearPushes() {
+  kernel_->pushes.clear();
+  kernel_->task.firstPush = kernel_->task.endPush = nullptr;
 }
 
 template <class T>
@@ -242,11 +268,9 @@ StoredEnergy Forces<T>::energy(const State<T>& state) const {
     }
   });
   StoredEnergy sum;
-  for (const RowEnergy& row : k.rowEnergies) {
-    sum.kinetic += k.particleMass * row.kinetic;
-    sum.elastic += row.elastic;
-    sum.gravitational -= row.fallen;
-    sum.maxStretch = std::max(sum.maxStretch, row.maxStretch);
+  for (StoredEnergy& row : k.rowEnergies) {
+    row.kinetic *= k.sheet.particleMass;
+    sum.add(row);
   }
   return sum;
 }
@@ -254,17 +278,16 @@ StoredEnergy Forces<T>::energy(const State<T>& state) const {
 template <class T>
 double Forces<T>::lossPower(const VectorField<T>& position, const VectorField<T>& velocity) const {
   Kernel& k = *kernel_;
-  const auto damps = [](const auto& family) { return family.kd > 0; };
-  if (k.energyRow.drag <= 0 && std::ranges::none_of(k.energyRow.families, damps)) return 0;
+  if (!k.damps) return 0;
   workers_.forBands(layout_.rows, [&](int first, int last, int) {
     EnergyRow<T> row = k.energyRow;
     row.position = position.x(), row.velocity = velocity.x();
     for (row.row = first; row.row < last; ++row.row) {
-      k.rowEnergies[static_cast<std::size_t>(row.row)] = k.kernels.power(row);
+      k.rowPowers[static_cast<std::size_t>(row.row)] = k.kernels.power(row);
     }
   });
   double power = 0;
-  for (const RowEnergy& row : k.rowEnergies) power += row.power;
+  for (const double row : k.rowPowers) power += row;
   return power;
 }
 

@@ -1,4 +1,4 @@
-// Forces on the particles of a sheet: springs, gravity, drag and pushes, from positions and velocities.
+// Forces on the particles of a sheet: all terms that its scene names, and pushes, from positions and velocities.
 // Must not know: time, methods. What a scene does not model costs nothing here.
 #pragma once
 
@@ -7,18 +7,12 @@
 #include <vector>
 
 #include "core/forces/state.h"
+#include "core/forces/stored_energy.h"
 
 namespace tyg {
 
 class Workers;
-
-/// Energies stored in a state, J, and the largest spring elongation as a fraction of its rest length.
-struct StoredEnergy {
-  double kinetic = 0;
-  double elastic = 0;
-  double gravitational = 0;  ///< zero where every particle is at height zero
-  double maxStretch = 0;     ///< >= 0
-};
+enum class Update;
 
 /// The forces of a scene in newtons. Pinned particles feel exactly 0.
 template <class T>
@@ -30,12 +24,15 @@ class Forces {
   Forces(const Forces&) = delete;
   Forces& operator=(const Forces&) = delete;
 
+  /// Takes the parameters of this scene, which has the same sheet, from the next evaluation on.
+  void useParameters(const Scene& scene);
+
   /// Force on every particle at these positions and velocities. Counts as one force evaluation.
   void evaluate(const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force);
 
-  /// Whether the fused updates below may be used now: where a push acts or the ledger follows the dissipation, forces
-  /// have to be seen one evaluation at a time.
-  [[nodiscard]] bool canAdvance() const;
+  /// Whether the fused updates below may be used now: where the ledger follows the dissipation, forces have to be seen
+  /// one evaluation at a time.
+  [[nodiscard]] bool canAdvance() const { return !trackDissipation_; }
   static constexpr int kMostSteps = 64;  ///< of one call
   /// `count` steps v += h/m F(x, v); x += h v, with the same bits as evaluating and updating step by step.
   void kickAndDrift(State<T>& state, double h, int count);
@@ -43,7 +40,7 @@ class Forces {
   /// velocity at half steps. The same bits as step by step.
   void leapfrog(State<T>& state, VectorField<T>& predicted, double h, int count);
 
-  /// Gravity, drag and pushes alone, for methods that treat springs in a way of their own. No force evaluation.
+  /// Everything but the springs, for methods that treat these in a way of their own. No force evaluation.
   void evaluateWithoutSprings(const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force);
   /// Works out the power of this state for the ledger, where it is wanted, as an evaluation would.
   void measurePower(const VectorField<T>& position, const VectorField<T>& velocity);
@@ -58,14 +55,14 @@ class Forces {
 
   /// Constant force on one particle (N), added to any that is there. Ignored by a pinned particle.
   void addPush(int particle, const Vec3& force);
-  void clearPushes() { pushes_.clear(); }
+  void clearPushes();
 
   /// Energies of this state. Sums run row by row in one fixed order.
   [[nodiscard]] StoredEnergy energy(const State<T>& state) const;
-  /// W that damping and drag take from the cloth at these positions and velocities, >= 0. No force evaluation.
+  /// W that damping takes from the cloth at these positions and velocities, >= 0. No force evaluation.
   [[nodiscard]] double lossPower(const VectorField<T>& position, const VectorField<T>& velocity) const;
 
-  /// With `on`, every evaluation also works out the power that damping and drag take from the cloth.
+  /// With `on`, every evaluation also works out the power that damping takes from the cloth.
   void trackDissipation(bool on) { trackDissipation_ = on; }
   [[nodiscard]] bool tracksDissipation() const { return trackDissipation_; }
   /// The last evaluation counts for `seconds` in the integral of the dissipated power. Methods call it with their own
@@ -88,19 +85,13 @@ class Forces {
  private:
   struct Kernel;
   template <class Loop>
-  void runBands(Loop stage, const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force);
+  void runBands(Loop accumulate, const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force);
   template <class Task>
-  void advance(Task task, State<T>& state, double h, int count);
-  struct PushedParticle {
-    std::ptrdiff_t at;
-    Vec3 force;
-  };
-
+  void advance(Task task, Update update, State<T>& state, double h, int count);
   Layout layout_;
   Workers& workers_;
   double inverseMass_;
   std::unique_ptr<Kernel> kernel_;
-  std::vector<PushedParticle> pushes_;
   bool trackDissipation_ = false;
   Account account_;
 };

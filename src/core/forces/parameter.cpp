@@ -1,75 +1,50 @@
-// The table of live parameters.
+// Gathers the parameters of all force terms, and adds the one of adaptive methods.
 #include "core/forces/parameter.h"
 
 #include <algorithm>
-#include <array>
+
+#include "core/forces/term.h"
 
 namespace tyg {
 namespace {
 
-template <SpringFamily Scene::*family, double SpringFamily::*number>
-Vec3 getOfFamily(const Scene& scene) {
-  return {scene.*family.*number, 0, 0};
-}
-template <SpringFamily Scene::*family, double SpringFamily::*number>
-void setOfFamily(Scene& scene, const Vec3& value) {
-  scene.*family.*number = value.x;
-}
+constexpr Parameter kTolerance{.key = "run.tolerance",
+                               .label = "tolerance",
+                               .unit = "m",
+                               .count = 1,
+                               .allowed = Allowed::Positive,
+                               .get =
+                                   [](const Scene& scene) {
+                                     return Vec3{scene.tolerance, 0, 0};
+                                   },
+                               .set = [](Scene& scene, const Vec3& value) { scene.tolerance = value.x; }};
 
-template <SpringFamily Scene::*family>
-constexpr Parameter stiffness(std::string_view key, std::string_view label) {
-  return {key,
-          label,
-          "N/m",
-          1,
-          Allowed::NotNegative,
-          getOfFamily<family, &SpringFamily::ks>,
-          setOfFamily<family, &SpringFamily::ks>};
+std::vector<Parameter> gathered() {
+  std::vector<Parameter> all;
+  for (const ForceTerm* term : forceTerms()) all.insert(all.end(), term->parameters.begin(), term->parameters.end());
+  all.push_back(kTolerance);
+  return all;
 }
-template <SpringFamily Scene::*family>
-constexpr Parameter damping(std::string_view key, std::string_view label) {
-  return {key,
-          label,
-          "N s/m",
-          1,
-          Allowed::NotNegative,
-          getOfFamily<family, &SpringFamily::kd>,
-          setOfFamily<family, &SpringFamily::kd>};
-}
-
-template <double Scene::*number>
-constexpr Parameter single(std::string_view key, std::string_view label, std::string_view unit, Allowed allowed) {
-  return {key,
-          label,
-          unit,
-          1,
-          allowed,
-          [](const Scene& scene) {
-            return Vec3{scene.*number, 0, 0};
-          },
-          [](Scene& scene, const Vec3& value) { scene.*number = value.x; }};
-}
-
-constexpr std::array kParameters{
-    stiffness<&Scene::structural>("springs.structural.ks", "structural stiffness"),
-    damping<&Scene::structural>("springs.structural.kd", "structural damping"),
-    stiffness<&Scene::shear>("springs.shear.ks", "shear stiffness"),
-    damping<&Scene::shear>("springs.shear.kd", "shear damping"),
-    stiffness<&Scene::bend>("springs.bend.ks", "bend stiffness"),
-    damping<&Scene::bend>("springs.bend.kd", "bend damping"),
-    Parameter{"world.gravity", "gravity", "m/s2", 3, Allowed::Any, [](const Scene& scene) { return scene.gravity; },
-              [](Scene& scene, const Vec3& value) { scene.gravity = value; }},
-    single<&Scene::drag>("world.drag", "drag", "N s/m", Allowed::NotNegative),
-    single<&Scene::tolerance>("run.tolerance", "tolerance", "m", Allowed::Positive),
-};
 
 }  // namespace
 
-std::span<const Parameter> liveParameters() { return kParameters; }
+std::span<const Parameter> liveParameters() {
+  static const std::vector<Parameter> kAll = gathered();
+  return kAll;
+}
 
 const Parameter* findParameter(std::string_view key) {
-  const auto found = std::ranges::find(kParameters, key, &Parameter::key);
-  return found == kParameters.end() ? nullptr : &*found;
+  const std::span<const Parameter> all = liveParameters();
+  const auto found = std::ranges::find(all, key, &Parameter::key);
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::vector<Vec3> valuesOf(const Scene& scene, Role role) {
+  std::vector<Vec3> values;
+  for (const Parameter& parameter : liveParameters()) {
+    if (parameter.role == role) values.push_back(parameter.get(scene));
+  }
+  return values;
 }
 
 }  // namespace tyg

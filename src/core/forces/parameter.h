@@ -5,6 +5,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "tyg/scene.h"
 
@@ -12,6 +13,9 @@ namespace tyg {
 
 /// What the numbers of a parameter may be, besides finite.
 enum class Allowed { Any, NotNegative, Positive };
+
+/// What a parameter does to the motion, for methods that keep something that depends on it.
+enum class Role { Other, Stiffness, Damping };
 
 /// One number, or one vector, of a scene.
 struct Parameter {
@@ -22,11 +26,18 @@ struct Parameter {
   Allowed allowed;                  ///< for each of them
   Vec3 (*get)(const Scene& scene);  ///< a single number is x
   void (*set)(Scene& scene, const Vec3& value);
+  Role role = Role::Other;
+  bool isShareOfSheet = false;  ///< a particle's share of what the whole sheet has, as its mass is
+  double mostByHand = 0;        ///< the largest size that a panel lets a person set
+  int digits = 0;               ///< that a panel shows
 };
 
 /// Every parameter, in the order of a scene file: those of the force terms, then `run.tolerance`.
 std::span<const Parameter> liveParameters();
 /// Null where there is no parameter of that key.
 const Parameter* findParameter(std::string_view key);
+
+/// The scene's values of all parameters of one role: where these are the same, so is what depends on them.
+std::vector<Vec3> valuesOf(const Scene& scene, Role role);
 
 }  // namespace tyg

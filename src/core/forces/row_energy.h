@@ -1,6 +1,6 @@
-// Energies and damping power of one row, summed in one fixed order whatever the vector width: eight running sums,
-// particle by particle, added pairwise at the end. In double also for float states: sums of many small terms decide the
-// alarm. Included by row_kernel_level.cpp alone; everything here is private to one vector level.
+// Stored energies and damping power of one row, summed in one fixed order whatever the vector width: eight running
+// sums, particle by particle, added pairwise at the end. In double also for float states: sums of many small terms
+// decide the alarm. Included by row_kernel_level.cpp alone; everything here is private to one vector level.
 #pragma once
 
 #include "core/forces/row_forces.h"
@@ -76,22 +76,24 @@ TYG_INLINE EightVectors differences(const T* planes, std::ptrdiff_t plane, std::
 }
 TYG_INLINE Eight dotOf(const EightVectors& a, const EightVectors& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
 
-/// Calls `visit(family, a, b, n)` for the runs of springs that start in this row: n springs from a+k to b+k.
+/// Calls `visit(law, a, b, n)` for the runs of springs that start in this row: n springs from a+k to b+k.
 template <class T, class Visit>
 TYG_INLINE void forSpringRuns(const EnergyRow<T>& in, const Visit& visit) {
   const std::ptrdiff_t s = in.stride, a = in.row * s;
   const int n = in.columns;
   const bool down = in.row + 1 < in.rows, down2 = in.row + 2 < in.rows;
-  visit(in.families[0], a, a + 1, n - 1);
-  if (down) visit(in.families[0], a, a + s, n);
-  if (down) visit(in.families[1], a, a + s + 1, n - 1);
-  if (down) visit(in.families[1], a + 1, a + s, n - 1);
-  visit(in.families[2], a, a + 2, n - 2);
-  if (down2) visit(in.families[2], a, a + 2 * s, n);
+  const SpringLaw<double>&structural = in.StructuralSprings::template Numbers<double>::law,
+        &shear = in.ShearSprings::template Numbers<double>::law, &bend = in.BendSprings::template Numbers<double>::law;
+  visit(structural, a, a + 1, n - 1);
+  if (down) visit(structural, a, a + s, n);
+  if (down) visit(shear, a, a + s + 1, n - 1);
+  if (down) visit(shear, a + 1, a + s, n - 1);
+  visit(bend, a, a + 2, n - 2);
+  if (down2) visit(bend, a, a + 2 * s, n);
 }
 
 /// Sums over k < n in the fixed order; `term(k)` gives the terms of k to k + 7. Those past n are not counted: they come
-/// from ghosts, of which every row has more than eight.
+/// from the padding, of which every row has more than eight.
 template <class Term>
 TYG_INLINE double sumOf(int n, const Term& term) {
   Eight sums;
@@ -107,19 +109,19 @@ TYG_INLINE double sumOf(int n, const Term& term) {
 
 /// Elastic energy of a run, and the largest stretch beside it.
 template <class T>
-double elasticOfRun(const EnergyRow<T>& in, const typename EnergyRow<T>::Family& family, std::ptrdiff_t a,
-                    std::ptrdiff_t b, int n, double& maxStretch) {
-  const Eight rest = partByPart([&](int) { return Lanes<double>{} + family.rest; });
+double elasticOfRun(const EnergyRow<T>& in, const SpringLaw<double>& law, std::ptrdiff_t a, std::ptrdiff_t b, int n,
+                    double& maxStretch) {
+  const Eight rest = partByPart([&](int) { return Lanes<double>{} + law.rest; });
   Eight longest;
   const double energy = sumOf(n, [&](int k) {
     const EightVectors d = differences(in.position, in.plane, a + k, b + k);
     Eight elongation = squareRoots(dotOf(d, d)) - rest;
     if (k + kSums > n) elongation.keepFirst(n - k);
     longest = larger(elongation, longest);
-    return 0.5 * family.ks * elongation * elongation;
+    return 0.5 * law.ks * elongation * elongation;
   });
   for (int k = 0; k < kSums; ++k) {
-    if (longest[k] / family.rest > maxStretch) maxStretch = longest[k] / family.rest;
+    if (longest[k] / law.rest > maxStretch) maxStretch = longest[k] / law.rest;
   }
   return energy;
 }
@@ -132,40 +134,69 @@ TYG_INLINE double halfSquares(const T* v, std::ptrdiff_t plane, int n) {
          });
 }
 
+/// The particles of one row, as terms see them.
 template <class T>
-RowEnergy energyOfRow(const EnergyRow<T>& given) {
+class ParticleRow {
+ public:
+  explicit ParticleRow(const EnergyRow<T>& in)
+      : position_(in.position + in.row * in.stride),
+        velocity_(in.velocity + in.row * in.stride),
+        plane_(in.plane),
+        columns_(in.columns) {}
+
+  template <class Term>
+  TYG_INLINE double sumOverPositions(const Term& term) const {
+    return sumOf(columns_, [&](int k) { return term(eightVectors(position_ + k, plane_)); });
+  }
+  TYG_INLINE double halfSquaresOfVelocity() const { return halfSquares(velocity_, plane_, columns_); }
+
+ private:
+  const T *position_, *velocity_;
+  std::ptrdiff_t plane_;
+  int columns_;
+};
+
+template <class Term, class T>
+TYG_INLINE const typename Term::template Numbers<double>& numbersOf(const EnergyRow<T>& in) {
+  return in;
+}
+
+template <class T>
+StoredEnergy energyOfRow(const EnergyRow<T>& given) {
   const EnergyRow<T> in = given;
-  RowEnergy sum;
-  const std::ptrdiff_t start = in.row * in.stride, plane = in.plane;
-  const T* x = in.position + start;
-  sum.kinetic = halfSquares(in.velocity + start, plane, in.columns);
-  sum.fallen = sumOf(in.columns, [&](int k) {
-    const EightVectors at = eightVectors(x + k, plane);
-    return (in.weight[0] * at.x + in.weight[1] * at.y) + in.weight[2] * at.z;
+  const ParticleRow<T> particles(in);
+  StoredEnergy sum;
+  sum.kinetic = particles.halfSquaresOfVelocity();
+  AllTerms::forEach([&]<class Term>() {
+    if constexpr (requires { Term::kStored; }) sum.*Term::kStored += Term::storedIn(particles, numbersOf<Term>(in));
   });
-  forSpringRuns(in, [&](const typename EnergyRow<T>::Family& family, std::ptrdiff_t a, std::ptrdiff_t b, int n) {
-    if (family.ks > 0 || family.kd > 0) sum.elastic += elasticOfRun(in, family, a, b, n, sum.maxStretch);
+  forSpringRuns(in, [&](const SpringLaw<double>& law, std::ptrdiff_t a, std::ptrdiff_t b, int n) {
+    if (law.ks > 0 || law.kd > 0) sum.elastic += elasticOfRun(in, law, a, b, n, sum.maxStretch);
   });
   return sum;
 }
 
-/// Power that the springs' damping and the drag take: sum of kd |dv|^2 (axial: its part along the spring) + drag |v|^2.
+/// Power that the terms and the springs' damping take: kd |dv|^2 of every spring (axial: its part along the spring).
 template <class T>
-RowEnergy powerOfRow(const EnergyRow<T>& given) {
+double powerOfRow(const EnergyRow<T>& given) {
   const EnergyRow<T> in = given;
-  RowEnergy sum;
-  const std::ptrdiff_t start = in.row * in.stride, plane = in.plane;
-  if (in.drag > 0) sum.power = 2 * in.drag * halfSquares(in.velocity + start, plane, in.columns);
+  const ParticleRow<T> particles(in);
+  double sum = 0;
+  AllTerms::forEach([&]<class Term>() {
+    if constexpr (requires { Term::template powerIn<ParticleRow<T>>; }) {
+      sum += Term::powerIn(particles, numbersOf<Term>(in));
+    }
+  });
   const Eight tiny = partByPart([](int) { return Lanes<double>{} + 1e-300; });
-  forSpringRuns(in, [&](const typename EnergyRow<T>::Family& family, std::ptrdiff_t a, std::ptrdiff_t b, int n) {
-    if (family.kd <= 0) return;
-    sum.power += family.kd * sumOf(n, [&](int k) {
-                   const EightVectors dv = differences(in.velocity, plane, a + k, b + k);
-                   if (!in.axial) return dotOf(dv, dv);
-                   const EightVectors d = differences(in.position, plane, a + k, b + k);
-                   const Eight along = dotOf(dv, d);
-                   return along * along / (dotOf(d, d) + tiny);
-                 });
+  forSpringRuns(in, [&](const SpringLaw<double>& law, std::ptrdiff_t a, std::ptrdiff_t b, int n) {
+    if (law.kd <= 0) return;
+    sum += law.kd * sumOf(n, [&](int k) {
+             const EightVectors dv = differences(in.velocity, in.plane, a + k, b + k);
+             if (!in.axial) return dotOf(dv, dv);
+             const EightVectors d = differences(in.position, in.plane, a + k, b + k);
+             const Eight along = dotOf(dv, d);
+             return along * along / (dotOf(d, d) + tiny);
+           });
   });
   return sum;
 }

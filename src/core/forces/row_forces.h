@@ -1,12 +1,13 @@
 // The inner loops: forces of all springs, row by row, each spring once, and what a step does with them.
 //
 // Particle (i, row) owns six springs: right and down (structural), down-right and, for its right neighbour, down-left
-// (shear), two to the right and two down (bend). `stageRow` computes them along the row, a vector of particles at a
-// time. What springs do to particles further right stays in registers and is shifted into place for the next vector;
-// what they do to the rows below is staged in a ring of rows. `finishForces` then adds gravity and drag to a block of
-// forces and stores the sum or moves the particles with it: no spring owned further on looks back at them, so that is
-// safe in place. Every number is computed by the same operations in the same order at every vector width, so every
-// width gives the same bits. Included by row_kernel_level.cpp alone; everything here is private to one vector level.
+// (shear), two to the right and two down (bend). `accumulateRow` computes them along the row, a vector of particles at
+// a time. What springs do to particles further right stays in registers and is shifted into place for the next vector;
+// what they do to the rows below is staged in a ring of rows. `finishForces` then adds gravity and the terms of single
+// particles to a block of forces and stores the sum or moves the particles with it: no spring owned further on looks
+// back at them, so that is safe in place. Terms of whole cells join the springs where these are gathered. Every number
+// is computed by the same operations in the same order at every vector width, so every width gives the same bits.
+// Included by row_kernel_level.cpp alone; everything here is private to one vector level.
 #pragma once
 
 #include <cstring>
@@ -138,7 +139,7 @@ template <class T>
 TYG_INLINE Staged<T> stagedOf(const RowTask<T>& task, int row) {
   const std::ptrdiff_t size = 3 * task.stride;
   T* const ring = task.scratch + 3 * kBlock;
-  T* const diagonals = ring + 3 * size;  // ghosts before it stay 0: the place to the left of a row holds nothing
+  T* const diagonals = ring + 3 * size;  // the padding before it stays 0: to the left of a row there is nothing
   return {task.scratch,
           ring + row % 3 * size,
           ring + (row + 1) % 3 * size,
@@ -147,11 +148,41 @@ TYG_INLINE Staged<T> stagedOf(const RowTask<T>& task, int row) {
           diagonals + (row + 1) % 2 * size};
 }
 
-/// The springs of one row, six for each particle, a block at a time; each block is finished unless the row only feeds
-/// the rows below.
-template <class T, int families, DampingTerm damping>
-void stageRow(const RowTask<T>& given, int row, bool finish) {
+/// What a term knows of the sheet.
+template <class Term, class T>
+TYG_INLINE const typename Term::template Numbers<T>& numbersOf(const RowTask<T>& task) {
+  return task;
+}
+
+/// The corners of a cell: a particle, its right neighbour, and the two below them.
+template <class T>
+struct Corners {
+  Vec<T> here, right, below, belowRight;
+};
+template <class T>
+TYG_INLINE Corners<T> corners(const T* planes, const RowTask<T>& task, std::ptrdiff_t a) {
+  const std::ptrdiff_t below = a + task.stride;
+  return {load(planes, task.plane, a), load(planes, task.plane, a + 1), load(planes, task.plane, below),
+          load(planes, task.plane, below + 1)};
+}
+
+/// Force of all cell terms on each corner of the cells below right of the particles at `a`.
+template <class CellTerms, class T, class Exists>
+TYG_INLINE Vec<T> cellForce(const RowTask<T>& task, const Exists& exists, std::ptrdiff_t a) {
+  Vec<T> sum{};
+  const Corners<T> x = corners(task.position, task, a), v = corners(task.velocity, task, a);
+  CellTerms::forEach([&]<class Term>() { sum = sum + Term::cornerForce(x, v, numbersOf<Term>(task)); });
+  return exists * sum;
+}
+
+/// The springs of one row, six for each particle, and the terms of its cells, a block at a time; each block is finished
+/// unless the row only feeds the rows below.
+template <class T, int families, DampingTerm damping, class CellTerms>
+void accumulateRow(const RowTask<T>& given, int row, bool finish) {
+  constexpr bool kCells = !CellTerms::kEmpty;
   const RowTask<T> task = given;  // on the stack, where no store can alias it
+  const SpringLaw<T>&structural = numbersOf<StructuralSprings>(task).law, &shear = numbersOf<ShearSprings>(task).law,
+        &bend = numbersOf<BendSprings>(task).law;
   const Staged<T> to = stagedOf(task, row);
   const std::ptrdiff_t s = task.stride;
   const T hasDown = T(row + 1 < task.rows), hasDown2 = T(row + 2 < task.rows);
@@ -162,28 +193,33 @@ void stageRow(const RowTask<T>& given, int row, bool finish) {
       const std::ptrdiff_t a = row * s + i;
       Vec<T> across{}, down{}, downRight{}, downLeft{}, across2{}, down2{};
       if constexpr ((families & kStructural) != 0) {
-        across = springForce<damping>(task, task.structural, load(task.hasRight + i), a, a + 1);
-        down = springForce<damping>(task, task.structural, hasDown, a, a + s);
+        across = springForce<damping>(task, structural, load(task.hasRight + i), a, a + 1);
+        down = springForce<damping>(task, structural, hasDown, a, a + s);
       }
       if constexpr ((families & kShear) != 0) {
         const Lanes<T> exists = hasDown * load(task.hasRight + i);
-        downRight = springForce<damping>(task, task.shear, exists, a, a + s + 1);
-        downLeft = springForce<damping>(task, task.shear, exists, a + 1, a + s);
+        downRight = springForce<damping>(task, shear, exists, a, a + s + 1);
+        downLeft = springForce<damping>(task, shear, exists, a + 1, a + s);
       }
       if constexpr ((families & kBend) != 0) {
-        across2 = springForce<damping>(task, task.bend, load(task.hasRight2 + i), a, a + 2);
-        down2 = springForce<damping>(task, task.bend, hasDown2, a, a + 2 * s);
+        across2 = springForce<damping>(task, bend, load(task.hasRight2 + i), a, a + 2);
+        down2 = springForce<damping>(task, bend, hasDown2, a, a + 2 * s);
       }
       Vec<T> f = (((((across - load(to.taken, s, i)) + down) + downRight) + across2) + down2);
-      const Vec<T> onRight = downLeft - across;
+      Vec<T> onRight = downLeft - across;
+      if constexpr (kCells) {
+        const Vec<T> corner = cellForce<CellTerms>(task, hasDown * load(task.hasRight + i), a);
+        f = f + corner, onRight = onRight + corner;
+        down = down - corner, downRight = downRight - corner;
+      }
       Vec<T> takenNext = down;
       if constexpr ((families & kBend) != 0) {
         takenNext = load(to.takenNext, s, i) + down;
         store(to.takenAfterNext, s, i, down2);
       }
       store(to.takenNext, s, i, takenNext + downLeft);
-      if constexpr ((families & (kStructural | kShear)) != 0) f = f + shifted<1>(rightBefore, onRight);
-      if constexpr ((families & kShear) != 0) {
+      if constexpr (kCells || (families & (kStructural | kShear)) != 0) f = f + shifted<1>(rightBefore, onRight);
+      if constexpr (kCells || (families & kShear) != 0) {
         f = f - load(to.diagonal, s, i - 1);
         store(to.diagonalNext, s, i, downRight);
       }
@@ -195,12 +231,22 @@ void stageRow(const RowTask<T>& given, int row, bool finish) {
   }
 }
 
-/// Adds gravity and drag to the springs' forces, exactly 0 at pins and ghosts. Then the update.
-template <class T, Update update, bool drag>
+/// The pushes on these particles, which lie from column i on; the others' forces keep their bits.
+template <class T>
+TYG_INLINE void addPushes(const RowTask<T>& task, std::ptrdiff_t i, Vec<T>& f) {
+  for (const PushedParticle<T>* push = task.firstPush; push != task.endPush; ++push) {
+    const std::ptrdiff_t lane = push->column - i;
+    if (lane < 0 || lane >= kLanes<T>) continue;
+    f.x[lane] += push->force[0], f.y[lane] += push->force[1], f.z[lane] += push->force[2];
+  }
+}
+
+/// Adds gravity and the particles' terms to the springs' forces, exactly 0 at pins and padding. Then the update.
+template <class T, Update update, class ParticleTerms, bool pushed>
 void finishForces(const RowTask<T>& given, int row, std::ptrdiff_t begin, std::ptrdiff_t end) {
   const RowTask<T> task = given;
   const std::ptrdiff_t plane = task.plane, start = row * task.stride;
-  const T *velocity = task.velocity + start, *isFree = task.isFree + start;
+  const T *position = task.position + start, *velocity = task.velocity + start, *isFree = task.isFree + start;
   constexpr bool kStores = update == Update::Store, kPredicts = update == Update::Leapfrog;
   T* const force = kStores ? task.force + start : nullptr;
   T* const x = kStores ? nullptr : task.moving + start;
@@ -210,7 +256,10 @@ void finishForces(const RowTask<T>& given, int row, std::ptrdiff_t begin, std::p
   const Vec<T> weight{zero + task.weight[0], zero + task.weight[1], zero + task.weight[2]};
   for (std::ptrdiff_t i = begin; i < end; i += kLanes<T>) {
     Vec<T> f = load(isFree + i) * (load(task.scratch, kBlock, i - begin) + weight);
-    if constexpr (drag) f = f - (load(isFree + i) * task.drag) * load(velocity, plane, i);
+    ParticleTerms::forEach([&]<class Term>() {
+      f = Term::addTo(f, load(isFree + i), load(position, plane, i), load(velocity, plane, i), numbersOf<Term>(task));
+    });
+    if constexpr (pushed) addPushes(task, i, f);
     if constexpr (kStores) {
       store(force, plane, i, f);
     } else {

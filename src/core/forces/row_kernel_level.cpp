@@ -9,27 +9,40 @@
 namespace tyg {
 namespace {
 
-template <class T, int families>
-constexpr void fillStage(RowKernels<T>& kernels) {
-  kernels.stage[families][int(DampingTerm::None)] = stageRow<T, families, DampingTerm::None>;
-  kernels.stage[families][int(DampingTerm::Relative)] = stageRow<T, families, DampingTerm::Relative>;
-  kernels.stage[families][int(DampingTerm::Axial)] = stageRow<T, families, DampingTerm::Axial>;
+template <class T, int families, unsigned cellTerms>
+constexpr void fillAccumulate(RowKernels<T>& kernels) {
+  using Terms = typename ChosenTerms<TermPlace::Cells, cellTerms, AllTerms>::Type;
+  AccumulateRow<T>(&byDamping)[3] = kernels.accumulate[cellTerms][families];
+  byDamping[int(DampingTerm::None)] = accumulateRow<T, families, DampingTerm::None, Terms>;
+  byDamping[int(DampingTerm::Relative)] = accumulateRow<T, families, DampingTerm::Relative, Terms>;
+  byDamping[int(DampingTerm::Axial)] = accumulateRow<T, families, DampingTerm::Axial, Terms>;
+}
+template <class T, unsigned... cellTerms>
+constexpr void fillAllAccumulate(RowKernels<T>& kernels, std::integer_sequence<unsigned, cellTerms...> /*subsets*/) {
+  (fillAccumulate<T, 0, cellTerms>(kernels), ...), (fillAccumulate<T, 1, cellTerms>(kernels), ...);
+  (fillAccumulate<T, 2, cellTerms>(kernels), ...), (fillAccumulate<T, 3, cellTerms>(kernels), ...);
+  (fillAccumulate<T, 4, cellTerms>(kernels), ...), (fillAccumulate<T, 5, cellTerms>(kernels), ...);
+  (fillAccumulate<T, 6, cellTerms>(kernels), ...), (fillAccumulate<T, 7, cellTerms>(kernels), ...);
 }
 
-template <class T, Update update>
+template <class T, Update update, unsigned terms>
 constexpr void fillFinish(RowKernels<T>& kernels) {
-  kernels.finish[int(update)][0] = finishForces<T, update, false>;
-  kernels.finish[int(update)][1] = finishForces<T, update, true>;
+  using Terms = typename ChosenTerms<TermPlace::Particles, terms, AllTerms>::Type;
+  kernels.finish[int(update)][terms][0] = finishForces<T, update, Terms, false>;
+  kernels.finish[int(update)][terms][1] = finishForces<T, update, Terms, true>;
+}
+template <class T, unsigned... terms>
+constexpr void fillAllFinish(RowKernels<T>& kernels, std::integer_sequence<unsigned, terms...> /*subsets*/) {
+  (fillFinish<T, Update::Store, terms>(kernels), ...);
+  (fillFinish<T, Update::KickAndDrift, terms>(kernels), ...);
+  (fillFinish<T, Update::Leapfrog, terms>(kernels), ...);
 }
 
 template <class T>
 constexpr RowKernels<T> allKernels() {
   RowKernels<T> kernels{};
-  fillStage<T, 0>(kernels), fillStage<T, 1>(kernels), fillStage<T, 2>(kernels), fillStage<T, 3>(kernels);
-  fillStage<T, 4>(kernels), fillStage<T, 5>(kernels), fillStage<T, 6>(kernels), fillStage<T, 7>(kernels);
-  fillFinish<T, Update::Store>(kernels);
-  fillFinish<T, Update::KickAndDrift>(kernels);
-  fillFinish<T, Update::Leapfrog>(kernels);
+  fillAllAccumulate(kernels, std::make_integer_sequence<unsigned, subsetsOf(TermPlace::Cells)>{});
+  fillAllFinish(kernels, std::make_integer_sequence<unsigned, subsetsOf(TermPlace::Particles)>{});
   kernels.energy = energyOfRow<T>;
   kernels.power = powerOfRow<T>;
   return kernels;

@@ -1,4 +1,4 @@
-// Layout of the planes, the start shape, the hash.
+// Lays out the planes, fills in the start shape, and hashes the state, particle by particle.
 #include "core/forces/state.h"
 
 #include <cstring>
@@ -13,9 +13,9 @@ std::ptrdiff_t roundUp(std::ptrdiff_t value, std::ptrdiff_t multiple) {
 }  // namespace
 
 Layout::Layout(const Sheet& sheet) : columns(sheet.columns), rows(sheet.rows) {
-  // One more vector of ghosts to the right lets a row read two places past its last whole vector.
+  // One more vector of padding to the right lets a row read two places past its last whole vector.
   stride = roundUp(columns, kLanes) + kLanes;
-  // Two ghost rows below; then planes start on different cache sets, because a row of all three is in use at once.
+  // Two rows of padding below; then planes start on different cache sets, because a row of all three is in use at once.
   plane = roundUp(stride * (rows + 2), 512) + 5 * kLanes;
 }
 

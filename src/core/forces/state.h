@@ -11,8 +11,8 @@
 
 namespace tyg {
 
-/// Where particle (column, row) lies in a plane: row * stride + column. Rows are padded to whole vectors, two ghost
-/// rows follow the last one; ghosts hold finite numbers, carry no force and never move.
+/// Where particle (column, row) lies in a plane: row * stride + column. Rows are padded to whole vectors, two rows
+/// of padding follow the last one; padding holds finite numbers, carries no force and never moves.
 struct Layout {
   static constexpr int kLanes = 16;  ///< rows are computed in multiples of this many particles
   int columns = 1, rows = 1;

@@ -30,6 +30,10 @@ class Integrator {
   }
   /// Forgets what was kept from the last step. Whoever edits the state or the forces calls this.
   virtual void reset() {}
+  /// Goes on with the parameters of this scene, of the same sheet, exactly as a new integrator of it would. Does anew
+  /// only what depends on those that have changed. Throws InputError, and changes nothing, where the method does not
+  /// take them.
+  virtual void useParameters(const Scene& /*scene*/, const Sheet& /*sheet*/) { reset(); }
   /// A copy with the same memory, for snapshots.
   [[nodiscard]] virtual std::unique_ptr<Integrator> clone() const = 0;
   /// Memory that a copy takes, but for what does not grow with the sheet.

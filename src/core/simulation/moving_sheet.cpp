@@ -1,8 +1,7 @@
-// See moving_sheet.h.
+// State, forces and integrator of one precision. What changes while the cloth moves is handed to each of them in place.
 #include "core/simulation/moving_sheet.h"
 
 #include <optional>
-#include <utility>
 
 #include "core/simulation/integrator.h"
 #include "core/spectrum/live_spectrum.h"
@@ -12,59 +11,64 @@ namespace tyg {
 namespace {
 
 template <class T>
+State<T> displacedStart(const Scene& scene, const Sheet& sheet) {
+  State<T> state = startState<T>(sheet);
+  for (const Displacement& displacement : scene.displacements) {
+    const int particle = particleAt(sheet, displacement.particle);
+    const Vec3 from = state.position.get(particle), by = displacement.by;
+    state.position.set(particle, {from.x + by.x, from.y + by.y, from.z + by.z});
+  }
+  return state;
+}
+
+template <class T>
 class MovingSheetOf final : public MovingSheet {
  public:
   MovingSheetOf(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers, bool trackDissipation)
       : scene_(scene),
         sheet_(sheet),
-        state_(startState<T>(sheet)),
+        state_(displacedStart<T>(scene, sheet)),
         workers_(workers),
-        forces_(std::in_place, scene, sheet, workers),
+        forces_(scene, sheet, workers),
         integrator_(method.make<T>(scene, sheet)) {
-    forces_->trackDissipation(trackDissipation);
-    for (const Displacement& displacement : scene.displacements) {
-      const int particle = particleAt(sheet, displacement.particle);
-      const Vec3 from = state_.position.get(particle), by = displacement.by;
-      state_.position.set(particle, {from.x + by.x, from.y + by.y, from.z + by.z});
-    }
+    forces_.trackDissipation(trackDissipation);
   }
 
   void useMethod(const Method& method) override { integrator_ = method.make<T>(scene_, sheet_); }
-  void useWorld(const Method& method) override {
-    integrator_ = method.make<T>(scene_, sheet_);
-    const typename Forces<T>::Account account = forces_->account();
-    const bool tracks = forces_->tracksDissipation();
-    forces_.emplace(scene_, sheet_, workers_);
-    forces_->trackDissipation(tracks);
-    forces_->setAccount(account);
-    spectrum_.reset();
+  void useWorld() override {
+    integrator_->useParameters(scene_, sheet_);  // first: it may refuse
+    forces_.useParameters(scene_);
+    if (spectrum_) spectrum_->useParameters(scene_);
   }
-  void steps(double h, int count) override { integrator_->steps(*forces_, state_, h, count); }
+  void steps(double h, int count) override { integrator_->steps(forces_, state_, h, count); }
   double stepWithin(double most, double tolerance) override {
-    return integrator_->stepWithin(*forces_, state_, most, tolerance);
+    return integrator_->stepWithin(forces_, state_, most, tolerance);
   }
-  void clearPushes() override { forces_->clearPushes(); }
-  void addPush(int particle, const Vec3& force) override { forces_->addPush(particle, force); }
+  void clearPushes() override { forces_.clearPushes(); }
+  void addPush(int particle, const Vec3& force) override { forces_.addPush(particle, force); }
   void reset() override { integrator_->reset(); }
   void trackDissipation(bool on) override {
-    forces_->trackDissipation(on);
-    forces_->measurePower(state_.position, state_.velocity);  // methods that keep a force begin with its power
+    forces_.trackDissipation(on);
+    forces_.measurePower(state_.position, state_.velocity);  // methods that keep a force begin with its power
   }
 
   double liveStableStep(const Method& method) override {
     if (!spectrum_) spectrum_.emplace(scene_, sheet_, workers_);
     return spectrum_->stableStep(method, state_);
   }
-  [[nodiscard]] StoredEnergy energy() const override { return forces_->energy(state_); }
-  [[nodiscard]] double lossPower() const override { return forces_->lossPower(state_.position, state_.velocity); }
-  [[nodiscard]] double dissipated() const override { return forces_->dissipated(); }
-  [[nodiscard]] std::int64_t evaluations() const override { return forces_->evaluations(); }
+  [[nodiscard]] StoredEnergy energy() const override { return forces_.energy(state_); }
+  [[nodiscard]] double startHeight() const override {
+    return forces_.energy(displacedStart<T>(scene_, sheet_)).gravitational;
+  }
+  [[nodiscard]] double lossPower() const override { return forces_.lossPower(state_.position, state_.velocity); }
+  [[nodiscard]] double dissipated() const override { return forces_.dissipated(); }
+  [[nodiscard]] std::int64_t evaluations() const override { return forces_.evaluations(); }
   [[nodiscard]] Vec3 position(int particle) const override { return state_.position.get(particle); }
   [[nodiscard]] Vec3 velocity(int particle) const override { return state_.velocity.get(particle); }
   [[nodiscard]] std::uint64_t hash() const override { return hashOf(state_); }
 
   void copyPositions(std::span<float> xyz) const override {
-    const Layout& layout = forces_->layout();
+    const Layout& layout = forces_.layout();
     const T *x = state_.position.x(), *y = state_.position.y(), *z = state_.position.z();
     float* out = xyz.data();
     for (int row = 0; row < layout.rows; ++row) {
@@ -78,14 +82,14 @@ class MovingSheetOf final : public MovingSheet {
     auto moment = std::make_unique<MomentOf>();
     moment->state = state_;
     moment->integrator = integrator_->clone();
-    moment->account = forces_->account();
+    moment->account = forces_.account();
     return moment;
   }
   void restore(const Moment& saved) override {
     const auto& moment = dynamic_cast<const MomentOf&>(saved);
     state_ = moment.state;
     integrator_ = moment.integrator->clone();
-    forces_->setAccount(moment.account);
+    forces_.setAccount(moment.account);
   }
 
  private:
@@ -100,7 +104,7 @@ class MovingSheetOf final : public MovingSheet {
   const Sheet& sheet_;
   State<T> state_;
   Workers& workers_;
-  std::optional<Forces<T>> forces_;
+  Forces<T> forces_;
   std::unique_ptr<Integrator<T>> integrator_;
   std::optional<LiveSpectrum<T>> spectrum_;  // with forces of its own: neither counts nor bits of the motion change
 };

@@ -21,9 +21,8 @@ class MovingSheet {
 
   virtual ~MovingSheet() = default;
   virtual void useMethod(const Method& method) = 0;
-  /// The scene has other springs or another world now; pushes have to be added anew. Changes nothing where `method`
-  /// throws.
-  virtual void useWorld(const Method& method) = 0;
+  /// The scene has other parameters now. Changes nothing where the method refuses them by throwing InputError.
+  virtual void useWorld() = 0;
   /// `count` steps of h seconds, 1 to 64.
   virtual void steps(double h, int count) = 0;
   /// See Integrator::stepWithin.
@@ -38,6 +37,8 @@ class MovingSheet {
   /// See Forces::trackDissipation.
   virtual void trackDissipation(bool on) = 0;
   [[nodiscard]] virtual StoredEnergy energy() const = 0;
+  /// Gravitational energy that the start shape has in the gravity of now, J.
+  [[nodiscard]] virtual double startHeight() const = 0;
   /// See Forces::lossPower.
   [[nodiscard]] virtual double lossPower() const = 0;
   [[nodiscard]] virtual double dissipated() const = 0;

@@ -33,7 +33,7 @@ Simulation::Body::Body(Scene wanted, const Method& method, const Settings& asked
 void Simulation::Body::restore(const Saved& saved) {
   if (saved.world != worldOf(scene)) {
     setWorld(scene, saved.world);
-    moving->useWorld(*saved.run.method);
+    moving->useWorld();
   }
   run = saved.run;
   moving->restore(*saved.moment);

@@ -41,13 +41,13 @@ void Simulation::Body::changeWorld(const LogEvent& event) {
   const double stored = storedNow();
   setWorld(scene, after);
   try {
-    moving->useWorld(*run.method);
+    moving->useWorld();
   } catch (...) {
     setWorld(scene, before);
     throw;
   }
-  applyPushes();
-  run.startHeight = makeMovingSheet(scene, sheet, *run.method, workers, false)->energy().gravitational;
+  forcing = run.pushes.forcing(scene, sheet);
+  if (after.gravity != before.gravity) run.startHeight = moving->startHeight();
   run.pushes.addWork(storedNow() - stored);
   run.alarm = makeAlarm(scene, sheet, moving->energy());
   look();

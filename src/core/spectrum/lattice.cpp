@@ -1,8 +1,10 @@
-// See lattice.h.
+// Lattice symbols as 2x2 matrices of a wave in the plane, and what its springs do to it out of it.
 #include "core/spectrum/lattice.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "core/forces/term.h"
 
 namespace tyg {
 namespace {
@@ -49,7 +51,7 @@ Lattice::Lattice(const Scene& scene)
     : wide_(scene.columns > 1),
       tall_(scene.rows > 1),
       law_(scene.damping),
-      drag_(scene.drag / scene.particleMass),
+      particleDamping_(particleDamping(scene) / scene.particleMass),
       stiffness_(constantsOf(scene, &SpringFamily::ks)),
       damping_(constantsOf(scene, &SpringFamily::kd)) {}
 
@@ -85,14 +87,14 @@ std::array<Mode, 5> Lattice::modes(double qx, double qy) const {
   const Symbol pull = inPlane(stiffness_, qx, qy);
   const auto [fast, slow] = pull.eigenvalues();
   if (law_ == Damping::Relative) {
-    const double d = drag_ + everyWay(damping_, qx, qy);
+    const double d = particleDamping_ + everyWay(damping_, qx, qy);
     return {{{fast, d}, {slow, d}, {0, d}, {fast, d}, {slow, d}}};
   }
   const Symbol damp = inPlane(damping_, qx, qy);
-  const double most = drag_ + damp.eigenvalues()[0];
+  const double most = particleDamping_ + damp.eigenvalues()[0];
   const std::array<double, 2> u = pull.direction();
-  const double dFast = drag_ + damp.along(u), dSlow = drag_ + damp.along({-u[1], u[0]});
-  return {{{fast, most}, {slow, most}, {0, drag_}, {fast, dFast}, {slow, dSlow}}};
+  const double dFast = particleDamping_ + damp.along(u), dSlow = particleDamping_ + damp.along({-u[1], u[0]});
+  return {{{fast, most}, {slow, most}, {0, particleDamping_}, {fast, dFast}, {slow, dSlow}}};
 }
 
 }  // namespace tyg

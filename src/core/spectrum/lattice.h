@@ -62,7 +62,7 @@ class Lattice {
   /// with no more than ks in every direction (its Hessian never exceeds ks times the graph Laplacian), and either law
   /// of damping with no more than kd (model, section 8).
   [[nodiscard]] Mode anyDeformation(double qx, double qy) const {
-    return {everyWay(stiffness_, qx, qy), drag_ + everyWay(damping_, qx, qy)};
+    return {everyWay(stiffness_, qx, qy), particleDamping_ + everyWay(damping_, qx, qy)};
   }
 
  private:
@@ -77,7 +77,7 @@ class Lattice {
 
   bool wide_, tall_;
   Damping law_;
-  double drag_;  // 1/s
+  double particleDamping_;  // 1/s
   Constants stiffness_, damping_;
 };
 

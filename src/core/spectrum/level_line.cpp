@@ -1,4 +1,4 @@
-// See level_line.h.
+// Level lines by differences of stableStep() over stiffness and damping.
 #include "core/spectrum/level_line.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// See live_spectrum.h.
+// Follows modes by restarted Lanczos iterations; products with the matrices are differences of the force.
 #include "core/spectrum/live_spectrum.h"
 
 #include <Eigen/Eigenvalues>
@@ -24,6 +24,11 @@ Scene withoutWeight(Scene scene) {
   return scene;
 }
 
+/// Of all waves of the sheet at rest, 1/s.
+double mostDampedOf(const Lattice& lattice) {
+  return extremeWave(lattice, [](const Mode& mode) { return mode.d; }).mode.d;
+}
+
 }  // namespace
 
 template <class T>
@@ -40,11 +45,20 @@ LiveSpectrum<T>::LiveSpectrum(const Scene& scene, const Sheet& sheet, Workers& w
   for (VectorField<T>* field : {&force_, &position_, &velocity_}) *field = VectorField<T>(layout_);
   for (VectorField<T>& field : basis_) field = VectorField<T>(layout_);
   for (VectorField<T>& field : image_) field = VectorField<T>(layout_);
-  const LatticeWave mostDamped = extremeWave(lattice_, [](const Mode& mode) { return mode.d; });
-  mostDamped_ = mostDamped.mode.d;
+  mostDamped_ = mostDampedOf(lattice_);
   const bool flat = scene.start == Start::Flat;
   along_[kStiff] = flat ? Vec3{1, 0, 0.7} : Vec3{1, 0.7, 0};
   along_[kDamped] = law_ == Damping::Axial ? along_[kStiff] : flat ? Vec3{0.1, 1, 0.1} : Vec3{0.1, 0.1, 1};
+}
+
+template <class T>
+void LiveSpectrum<T>::useParameters(const Scene& scene) {
+  forces_.useParameters(withoutWeight(scene));
+  lattice_ = Lattice(scene);
+  mostDamped_ = mostDampedOf(lattice_);
+  isStarted_ = false;
+  turn_ = kStiff;
+  seed_ = kFirstSeed;
 }
 
 /// From the wave that sets the limit of the sheet at rest, fading towards the edges as the modes of a free sheet do.

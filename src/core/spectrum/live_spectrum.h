@@ -30,6 +30,9 @@ class LiveSpectrum {
   /// `workers` must outlive this object.
   LiveSpectrum(const Scene& scene, const Sheet& sheet, Workers& workers);
 
+  /// Begins anew with the parameters of this scene, which has the same sheet.
+  void useParameters(const Scene& scene);
+
   /// Largest stable step, s, at this state; see Simulation::liveStableStep. Allocates nothing.
   double stableStep(const Method& method, const State<T>& state);
   /// All force evaluations so far.
@@ -67,7 +70,8 @@ class LiveSpectrum {
   Forces<T> forces_;
   std::array<Follower, 2> followers_;
   Which turn_ = kStiff;
-  std::uint32_t seed_ = 1;
+  static constexpr std::uint32_t kFirstSeed = 1;
+  std::uint32_t seed_ = kFirstSeed;
   VectorField<T> force_, position_, velocity_;  // the force of the state itself; a state beside it
   std::array<VectorField<T>, kProducts> basis_, image_;
   std::vector<double> ofRow_;

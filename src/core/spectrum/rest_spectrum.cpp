@@ -1,4 +1,4 @@
-// See rest_spectrum.h.
+// Assembles K and C of the sheet at rest spring by spring, and finds their eigenvalues.
 #include "core/spectrum/rest_spectrum.h"
 
 #include <Eigen/Eigenvalues>
@@ -6,7 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "tyg/sheet.h"
+#include "core/forces/term.h"
+#include "core/forces/terms/springs.h"
 
 namespace tyg {
 namespace {
@@ -80,10 +81,11 @@ RestSpectrum::RestSpectrum(const Scene& scene) {
   const Sheet sheet = makeSheet(scene);
   Assembly stiffness(sheet), damping(sheet), across(sheet);
   const double perMass = 1 / sheet.particleMass;
-  damping.everywhere(2, perMass * scene.drag);
-  across.everywhere(1, perMass * scene.drag);
-  const auto addFamily = [&](const SpringFamily& springs, Family family) {
-    if (!springs.present()) return;
+  damping.everywhere(2, perMass * particleDamping(scene));
+  across.everywhere(1, perMass * particleDamping(scene));
+  for (const Family family : kFamilies) {
+    const SpringFamily& springs = familyOf(scene, family);
+    if (!springs.present()) continue;
     for (const SpringEnds& ends : springsOf(sheet, family)) {
       const Vec3 from = sheet.startPosition(ends.first), to = sheet.startPosition(ends.second);
       const double down = sheet.start == Start::Flat ? to.z - from.z : to.y - from.y;
@@ -94,10 +96,7 @@ RestSpectrum::RestSpectrum(const Scene& scene) {
       damping.spring(ends, perMass * springs.kd * (relative ? Block(Block::Identity()) : pull), 2);
       if (relative) across.spring(ends, perMass * springs.kd * Block::Identity(), 1);
     }
-  };
-  addFamily(scene.structural, Family::Structural);
-  addFamily(scene.shear, Family::Shear);
-  addFamily(scene.bend, Family::Bend);
+  }
   K_ = stiffness.matrix(2);
   C_ = damping.matrix(2);
   outOfPlane_ = across.matrix(1);

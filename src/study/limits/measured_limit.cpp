@@ -54,15 +54,6 @@ Scene linearRegime(Scene scene) {
   return scene;
 }
 
-Scene withoutDamping(Scene scene) {
-  scene.structural.kd = scene.shear.kd = scene.bend.kd = scene.drag = 0;
-  return scene;
-}
-
-bool isDamped(const Scene& scene) {
-  return scene.structural.kd > 0 || scene.shear.kd > 0 || scene.bend.kd > 0 || scene.drag > 0;
-}
-
 double measuredLimit(const Scene& scene, const Method& method, const MeasurePlan& plan) {
   double held = 0, failed = 0;
   Outcome outcome = Outcome::Unknown;

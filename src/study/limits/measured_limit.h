@@ -13,9 +13,6 @@ namespace tyg {
 /// of the spacing, so that springs stay as they are at rest while the displacement can grow a hundredfold before the
 /// alarm goes. In double precision.
 Scene linearRegime(Scene scene);
-/// The scene without damping and drag.
-Scene withoutDamping(Scene scene);
-bool isDamped(const Scene& scene);
 
 struct MeasurePlan {
   double begin = 0;          ///< s, > 0: the step to try first

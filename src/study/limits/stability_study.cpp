@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/forces/term.h"
 #include "study/limits/measured_limit.h"
 #include "tyg/methods.h"
 

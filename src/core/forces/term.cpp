@@ -1,0 +1,67 @@
+// The table of force terms, made of the list of their types, and what follows from their parameters alone.
+#include "core/forces/term.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/forces/terms/all_terms.h"
+
+namespace tyg {
+namespace {
+
+template <class... Term>
+constexpr std::array<const ForceTerm*, sizeof...(Term)> tableOf(TermList<Term...> /*terms*/) {
+  return {&Term::kTerm...};
+}
+constexpr std::array kTerms = tableOf(AllTerms{});
+
+void clear(Scene& scene, const ForceTerm& term, auto&& chosen) {
+  for (const Parameter& parameter : term.parameters) {
+    if (chosen(parameter)) parameter.set(scene, {});
+  }
+}
+
+bool damps(const Parameter& parameter) { return parameter.role == Role::Damping; }
+
+}  // namespace
+
+std::span<const ForceTerm* const> forceTerms() { return kTerms; }
+
+bool hasTerm(const Scene& scene, const ForceTerm& term) {
+  return std::ranges::any_of(term.parameters,
+                             [&](const Parameter& parameter) { return parameter.get(scene) != Vec3{}; });
+}
+
+void leaveOut(Scene& scene, const ForceTerm& term) {
+  clear(scene, term, [](const Parameter& /*any*/) { return true; });
+}
+
+double particleDamping(const Scene& scene) {
+  double sum = 0;
+  for (const ForceTerm* term : forceTerms()) {
+    if (term->particleDamping != nullptr) sum += term->particleDamping(scene);
+  }
+  return sum;
+}
+
+bool isDamped(const Scene& scene) {
+  return std::ranges::any_of(valuesOf(scene, Role::Damping), [](const Vec3& value) { return value != Vec3{}; });
+}
+
+Scene withoutDamping(Scene scene) { return withoutSpringDamping(withoutParticleDamping(std::move(scene))); }
+
+Scene withoutSpringDamping(Scene scene) {
+  for (const ForceTerm* term : forceTerms()) {
+    if (term->family) clear(scene, *term, damps);
+  }
+  return scene;
+}
+
+Scene withoutParticleDamping(Scene scene) {
+  for (const ForceTerm* term : forceTerms()) {
+    if (!term->family) clear(scene, *term, damps);
+  }
+  return scene;
+}
+
+}  // namespace tyg

@@ -1,0 +1,39 @@
+// The force terms as everything but the row kernels sees them: names, parameters, and what they do to limits.
+// Must not know: how forces are computed.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "core/forces/parameter.h"
+#include "tyg/sheet.h"
+
+namespace tyg {
+
+/// One term of the force. A scene has it where one of its parameters is not 0.
+struct ForceTerm {
+  std::string_view name;  ///< as people read it
+  std::span<const Parameter> parameters;
+  std::optional<Family> family{};  ///< of springs; else nothing
+  bool mayBeLeftOut = true;        ///< is a leaner model of the same cloth thinkable without it?
+  bool canAddEnergy = false;       ///< by itself; one that cannot turns energy over or takes it
+  /// N s/m by which it resists every motion of a particle alike; null: not at all.
+  double (*particleDamping)(const Scene& scene) = nullptr;
+};
+
+/// All terms, in the order of a scene file.
+std::span<const ForceTerm* const> forceTerms();
+
+bool hasTerm(const Scene& scene, const ForceTerm& term);
+void leaveOut(Scene& scene, const ForceTerm& term);
+
+/// N s/m by which all terms together resist every motion of a particle alike.
+double particleDamping(const Scene& scene);
+/// Does the scene have any damping, of springs or of particles?
+bool isDamped(const Scene& scene);
+Scene withoutDamping(Scene scene);
+Scene withoutSpringDamping(Scene scene);
+Scene withoutParticleDamping(Scene scene);
+
+}  // namespace tyg

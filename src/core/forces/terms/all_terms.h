@@ -1,0 +1,13 @@
+// Every force term, in the order in which scene files name them and forces add them up. A new one is a header and a
+// .cpp beside these, an include, and its name here.
+#pragma once
+
+#include "core/forces/terms/drag.h"
+#include "core/forces/terms/gravity.h"
+#include "core/forces/terms/springs.h"
+
+namespace tyg {
+
+using AllTerms = TermList<StructuralSprings, ShearSprings, BendSprings, Gravity, Drag>;
+
+}  // namespace tyg
