@@ -37,11 +37,11 @@ std::string Keeper::freeStem(const std::string& sceneName) const {
   }
 }
 
-std::string Keeper::keep(const Picture& picture, const PushLog& log) {
+std::string Keeper::keep(const Picture& picture, const EventLog& log) {
   const std::string stem = freeStem(log.scene);
   writePng(picture, folder_ / (stem + ".png"));
   writeWholeFile(folder_ / (stem + ".toml"), log.sceneText);
-  writeWholeFile(folder_ / (stem + ".csv"), formatPushLog(log));
+  writeWholeFile(folder_ / (stem + ".csv"), formatEventLog(log));
   return stem + ".png is kept; tyg run --replay " + stem + ".csv does this run again.";
 }
 

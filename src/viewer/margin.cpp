@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/simulation/live_parameters.h"
 #include "study/limits/stability.h"
 #include "tyg/methods.h"
 
@@ -41,9 +42,9 @@ void describe(const Margin& margin, MarginText& text) {
 }
 
 void MarginWatch::follow(const Scene& scene, const Method& method, double step) {
-  if (method_ != &method || world_ != worldOf(scene)) {
+  if (method_ != &method || !sameLiveParameters(scene_, scene)) {
     method_ = &method;
-    world_ = worldOf(scene);
+    scene_ = scene;
     lookedAt_ = -1;
     live_ = std::numeric_limits<double>::quiet_NaN();
     margin_ = {.rest = restLatticeLimit(scene, method)};

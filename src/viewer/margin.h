@@ -8,7 +8,6 @@
 #include <limits>
 #include <string_view>
 
-#include "core/simulation/world.h"
 #include "tyg/simulation.h"
 
 namespace tyg {
@@ -41,8 +40,8 @@ class MarginWatch {
   /// Once a frame; of a simulation past its alarm the limit stays as it was. Finding the live limit takes no more than
   /// a twentieth of the time: the larger a sheet, the fewer frames look.
   void look(Simulation& simulation, const Clock& clock);
-  /// The same for what is chosen for the next run of a cloth that stands; of another method or world than the last look
-  /// the limit is the one at rest.
+  /// The same for what is chosen for the next run of a cloth that stands; of another method or other live parameters
+  /// than the last look the limit is the one at rest.
   void lookAhead(const Scene& chosen);
   /// Another simulation: its limit at rest is worked out at the next look.
   void restart() { method_ = nullptr; }
@@ -53,7 +52,7 @@ class MarginWatch {
   void lookLive(Simulation& simulation, const Clock& clock);
 
   const Method* method_ = nullptr;
-  World world_;
+  Scene scene_;                 ///< whose limit is known
   double live_ = 0;             ///< s
   std::int64_t lookedAt_ = -1;  ///< tick of the last look at it; -1 before the first with this method
   double lastLook_ = 0, nextLook_ = 0;

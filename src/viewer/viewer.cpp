@@ -346,8 +346,8 @@ ViewLogLine Viewer::logLine() {
           .alarm = nameOf(simulation_.status())};
 }
 
-PushLog Viewer::record() const { return history_.record(simulation_); }
+EventLog Viewer::record() const { return history_.record(simulation_); }
 
-PushLog Viewer::recordShown() const { return History::recordTo(simulation_); }
+EventLog Viewer::recordShown() const { return History::recordTo(simulation_); }
 
 }  // namespace tyg

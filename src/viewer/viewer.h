@@ -84,7 +84,7 @@ class Viewer {
   [[nodiscard]] double pushFactor() const { return pushFactor_; }
   [[nodiscard]] double pushNewtons() const;  ///< of the next click
   /// Called with the log of a run that has ended, at a restart.
-  void onRunEnd(std::function<void(const PushLog&)> keep) { onRunEnd_ = std::move(keep); }
+  void onRunEnd(std::function<void(const EventLog&)> keep) { onRunEnd_ = std::move(keep); }
 
   [[nodiscard]] RunState state() const { return state_; }
   [[nodiscard]] double now() const { return clock_(); }    ///< s, of the clock that it was given
@@ -136,9 +136,9 @@ class Viewer {
   /// The present frame for the log, without its number and wall time.
   [[nodiscard]] ViewLogLine logLine();
   /// The run so far: its ticks and hash filled in.
-  [[nodiscard]] PushLog record() const;
+  [[nodiscard]] EventLog record() const;
   /// The run that leads to what is shown: up to a past moment, or into the failure that the text tells of.
-  [[nodiscard]] PushLog recordShown() const;
+  [[nodiscard]] EventLog recordShown() const;
 
  private:
   void press(const Input& input, const WindowEvent& event);
@@ -229,7 +229,7 @@ class Viewer {
   double frameSeconds_ = 0, simulatingSeconds_ = 0;  ///< smoothed
   std::string message_, note_;
   bool noteWarns_ = false;
-  std::function<void(const PushLog&)> onRunEnd_;
+  std::function<void(const EventLog&)> onRunEnd_;
 
   Camera camera_;
   std::vector<glm::vec3> room_;  ///< to frame before anything moved

@@ -2,7 +2,7 @@
 // Must not know: who changes it.
 #include <utility>
 
-#include "core/simulation/world.h"
+#include "core/simulation/live_parameters.h"
 #include "tyg/methods.h"
 #include "viewer/room.h"
 #include "viewer/viewer.h"
@@ -26,9 +26,9 @@ SceneChange Viewer::use(const Scene& scene) {
 void Viewer::useLive(const Scene& scene) {
   useMethod(findMethod(scene.integrator));
   if (scene.dt != scene_.dt) useStep(scene.dt);
-  if (state_ != RunState::Frozen && worldOf(scene) != worldOf(simulation_.scene())) {
+  if (state_ != RunState::Frozen && !sameLiveParameters(scene, simulation_.scene())) {
     beforeDeed();
-    simulation_.useWorld(scene);
+    simulation_.useLiveParameters(scene);
   }
   scene_ = scene;
   fitCure();

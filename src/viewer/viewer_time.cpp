@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/simulation/world.h"
+#include "core/simulation/live_parameters.h"
 #include "tyg/methods.h"
 #include "viewer/viewer.h"
 
@@ -197,7 +197,7 @@ void Viewer::followSimulation() {
   method_ = &simulation_.method();
   scene_.integrator = method_->name;
   scene_.dt = simulation_.dt();
-  setWorld(scene_, worldOf(simulation_.scene()));
+  copyLiveParameters(simulation_.scene(), scene_);
   frameClock_.setTick(simulation_.dt());
 }
 

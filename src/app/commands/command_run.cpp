@@ -44,13 +44,13 @@ constexpr const char* kExamples =
     "Ctrl-C.\n"
     "After 1 and 130 no CSV file is written.";
 
-PushLog readLog(const std::string& path) {
+EventLog readLog(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   if (!file || !(text << file.rdbuf())) {
     throw InputError("--replay: cannot read '" + path + "'; allowed is a file written by tyg view --record");
   }
-  return parsePushLog(text.str(), path);
+  return parseEventLog(text.str(), path);
 }
 
 template <class T>
@@ -61,7 +61,7 @@ void mustAgree(const char* option, const std::optional<T>& given, const T& logge
 }
 
 /// The scene that a log carries, or else the one that it names.
-Scene loggedScene(const PushLog& log) {
+Scene loggedScene(const EventLog& log) {
   if (log.sceneText.empty()) return loadScene(log.scene, methodNames());
   Scene scene = parseScene(log.sceneText, "the scene in the log", methodNames());
   scene.name = log.scene;
@@ -77,7 +77,7 @@ bool sameCloth(Scene scene, const Scene& other) {
 }
 
 /// The scene as it was when the log was made. Throws InputError where scene and log cannot belong together.
-Scene fitted(Scene scene, const SceneOptions& options, const PushLog& log) {
+Scene fitted(Scene scene, const SceneOptions& options, const EventLog& log) {
   const auto grid = [](int columns, int rows) { return std::to_string(columns) + "x" + std::to_string(rows); };
   if (scene.columns != log.columns || scene.rows != log.rows) {
     const std::string logged = grid(log.columns, log.rows);
@@ -129,7 +129,7 @@ class Run {
     progress_.finish();
   }
 
-  void replay(const PushLog& log) {
+  void replay(const EventLog& log) {
     replayedTicks_ = log.ticks;
     simulation_.replay(log, methods());
     for (std::int64_t tick = 0; tick < log.ticks && goesOn(); ++tick) timed([&] { simulation_.tick(); });
@@ -167,7 +167,7 @@ class Run {
 };
 
 /// Says how the run ended, on standard output for the result and standard error for what went wrong.
-int report(Run& run, const RunOptions& options, const PushLog* log) {
+int report(Run& run, const RunOptions& options, const EventLog* log) {
   Simulation& simulation = run.simulation();
   const FinishedRun finished{simulation, simulation.ledger(), options.ledger, run.seconds(),
                              restLatticeLimit(simulation.scene(), simulation.method())};
@@ -185,7 +185,7 @@ int report(Run& run, const RunOptions& options, const PushLog* log) {
 }
 
 int run(const RunOptions& options) {
-  std::optional<PushLog> log;
+  std::optional<EventLog> log;
   if (options.replay) log = readLog(*options.replay);
   const bool fromLog = options.scene.scene.empty();  // there is one then
   Scene scene = fromLog ? overridden(loggedScene(*log), options.scene) : chosenScene(options.scene);

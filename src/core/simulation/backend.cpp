@@ -1,5 +1,5 @@
-// See moving_sheet.h.
-#include "core/simulation/moving_sheet.h"
+// The backend on the processor's cores, once for each precision.
+#include "core/simulation/backend.h"
 
 #include <optional>
 #include <utility>
@@ -12,9 +12,9 @@ namespace tyg {
 namespace {
 
 template <class T>
-class MovingSheetOf final : public MovingSheet {
+class BackendOf final : public Backend {
  public:
-  MovingSheetOf(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers, bool trackDissipation)
+  BackendOf(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers, bool trackDissipation)
       : scene_(scene),
         sheet_(sheet),
         state_(startState<T>(sheet)),
@@ -30,7 +30,7 @@ class MovingSheetOf final : public MovingSheet {
   }
 
   void useMethod(const Method& method) override { integrator_ = method.make<T>(scene_, sheet_); }
-  void useWorld(const Method& method) override {
+  void useLiveParameters(const Method& method) override {
     integrator_ = method.make<T>(scene_, sheet_);
     const typename Forces<T>::Account account = forces_->account();
     const bool tracks = forces_->tracksDissipation();
@@ -74,22 +74,22 @@ class MovingSheetOf final : public MovingSheet {
     }
   }
 
-  [[nodiscard]] std::unique_ptr<Moment> save() const override {
-    auto moment = std::make_unique<MomentOf>();
-    moment->state = state_;
-    moment->integrator = integrator_->clone();
-    moment->account = forces_->account();
-    return moment;
+  [[nodiscard]] std::unique_ptr<Checkpoint> save() const override {
+    auto checkpoint = std::make_unique<CheckpointOf>();
+    checkpoint->state = state_;
+    checkpoint->integrator = integrator_->clone();
+    checkpoint->account = forces_->account();
+    return checkpoint;
   }
-  void restore(const Moment& saved) override {
-    const auto& moment = dynamic_cast<const MomentOf&>(saved);
-    state_ = moment.state;
-    integrator_ = moment.integrator->clone();
-    forces_->setAccount(moment.account);
+  void restore(const Checkpoint& saved) override {
+    const auto& checkpoint = dynamic_cast<const CheckpointOf&>(saved);
+    state_ = checkpoint.state;
+    integrator_ = checkpoint.integrator->clone();
+    forces_->setAccount(checkpoint.account);
   }
 
  private:
-  struct MomentOf final : Moment {
+  struct CheckpointOf final : Checkpoint {
     State<T> state;
     std::unique_ptr<Integrator<T>> integrator;
     typename Forces<T>::Account account;
@@ -107,12 +107,12 @@ class MovingSheetOf final : public MovingSheet {
 
 }  // namespace
 
-std::unique_ptr<MovingSheet> makeMovingSheet(const Scene& scene, const Sheet& sheet, const Method& method,
-                                             Workers& workers, bool trackDissipation) {
+std::unique_ptr<Backend> makeBackend(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers,
+                                     bool trackDissipation) {
   if (scene.precision == Precision::Float) {
-    return std::make_unique<MovingSheetOf<float>>(scene, sheet, method, workers, trackDissipation);
+    return std::make_unique<BackendOf<float>>(scene, sheet, method, workers, trackDissipation);
   }
-  return std::make_unique<MovingSheetOf<double>>(scene, sheet, method, workers, trackDissipation);
+  return std::make_unique<BackendOf<double>>(scene, sheet, method, workers, trackDissipation);
 }
 
 }  // namespace tyg
