@@ -48,7 +48,7 @@ FOLDERS = {
 # all of core may include. Public headers include public headers only.
 PUBLIC_HEADERS = {
     "input_error.h": "util",
-    "push_log.h": "core/simulation",
+    "event_log.h": "core/simulation",
     "simulation.h": "core/simulation",
     "methods.h": "integrators",
 }

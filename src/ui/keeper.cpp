@@ -32,11 +32,11 @@ std::string freeStemFor(const std::filesystem::path& folder, const std::string& 
 
 }  // namespace
 
-std::string Keeper::keep(const Picture& picture, const PushLog& log) {
+std::string Keeper::keep(const Picture& picture, const EventLog& log) {
   const std::string stem = freeStemFor(folder_, log.scene);
   writePng(picture, folder_ / (stem + ".png"));
   writeWholeFile(folder_ / (stem + ".toml"), log.sceneText);
-  writeWholeFile(folder_ / (stem + ".csv"), formatPushLog(log));
+  writeWholeFile(folder_ / (stem + ".csv"), formatEventLog(log));
   return stem + ".png is kept; tyg run --replay " + stem + ".csv does this run again.";
 }
 

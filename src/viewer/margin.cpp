@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/simulation/live_parameters.h"
 #include "study/limits/stability.h"
 #include "tyg/methods.h"
 
@@ -43,9 +44,9 @@ void describe(const Margin& margin, MarginText& text) {
 }
 
 void MarginWatch::follow(const Scene& scene, const Method& method, double step) {
-  if (method_ != &method || world_ != worldOf(scene)) {
+  if (method_ != &method || !sameLiveParameters(scene_, scene)) {
     method_ = &method;
-    world_ = worldOf(scene);
+    scene_ = scene;
     measuredAt_ = -1;
     live_ = std::numeric_limits<double>::quiet_NaN();
     margin_ = {.rest = restLatticeLimit(scene, method)};

@@ -8,7 +8,6 @@
 #include <limits>
 #include <string_view>
 
-#include "core/simulation/world.h"
 #include "tyg/simulation.h"
 
 namespace tyg {
@@ -53,7 +52,7 @@ class MarginWatch {
   void measureLive(Simulation& simulation, const Clock& clock);
 
   const Method* method_ = nullptr;
-  World world_;                                 ///< the live parameters that rest is of
+  Scene scene_;                                 ///< whose live parameters rest is of
   double live_ = 0;                             ///< s
   std::int64_t measuredAt_ = -1;                ///< tick of the last measurement; -1 before the first with this method
   double lastMeasured_ = 0, nextMeasured_ = 0;  ///< s, of the clock

@@ -75,7 +75,7 @@ class RunControl {
   void fitCure(const Scene& chosen);
 
   /// Called with the log of a run that has ended, at a restart.
-  void onRunEnd(std::function<void(const PushLog&)> keep) { onRunEnd_ = std::move(keep); }
+  void onRunEnd(std::function<void(const EventLog&)> keep) { onRunEnd_ = std::move(keep); }
   /// The energies now; the dissipated one and the drift are followed from followLedger(true) on.
   Ledger ledger() { return simulation_.ledger(); }
   void followLedger(bool on) { simulation_.followLedger(on); }
@@ -95,9 +95,9 @@ class RunControl {
   [[nodiscard]] const FrameClock& frameClock() const { return frameClock_; }
   [[nodiscard]] double speed() const { return frameClock_.speed(); }  ///< simulated seconds wanted per second
   /// The run so far: its ticks and hash filled in.
-  [[nodiscard]] PushLog record() const { return history_.record(simulation_); }
+  [[nodiscard]] EventLog record() const { return history_.record(simulation_); }
   /// The run that leads to what is shown: up to a past time, or into the failure that the text tells of.
-  [[nodiscard]] PushLog recordShown() const { return History::recordTo(simulation_); }
+  [[nodiscard]] EventLog recordShown() const { return History::recordTo(simulation_); }
 
  private:
   void turnTo(std::int64_t tick, std::function<void()> then = {});
@@ -125,7 +125,7 @@ class RunControl {
   std::function<void()> arrived_;  ///< done at history_.target()
   bool replaying_ = false;         ///< the past is shown again, slowly
   double speedBefore_ = 1;         ///< that a replay goes back to
-  std::function<void(const PushLog&)> onRunEnd_;
+  std::function<void(const EventLog&)> onRunEnd_;
 };
 
 }  // namespace tyg

@@ -7,7 +7,7 @@
 #include <exception>
 #include <utility>
 
-#include "core/simulation/world.h"
+#include "core/simulation/live_parameters.h"
 #include "tyg/methods.h"
 
 namespace tyg {
@@ -40,8 +40,8 @@ SceneChange SceneControl::use(const Scene& scene) {
 void SceneControl::useLive(const Scene& scene) {
   useMethod(findMethod(scene.integrator));
   if (scene.dt != scene_.dt) useStep(scene.dt);
-  if (run_.state() != RunState::Frozen && worldOf(scene) != worldOf(run_.simulation().scene())) {
-    run_.intervene().useWorld(scene);
+  if (run_.state() != RunState::Frozen && !sameLiveParameters(scene, run_.simulation().scene())) {
+    run_.intervene().useLiveParameters(scene);
   }
   scene_ = scene;
   run_.fitCure(scene_);
@@ -74,7 +74,7 @@ void SceneControl::followSimulation() {
   method_ = &simulation.method();
   scene_.integrator = method_->name;
   scene_.dt = simulation.dt();
-  setWorld(scene_, worldOf(simulation.scene()));
+  copyLiveParameters(simulation.scene(), scene_);
 }
 
 void SceneControl::begin(const Scene& scene, bool newSheet) {

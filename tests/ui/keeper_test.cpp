@@ -26,13 +26,13 @@ TEST_F(KeeperTest, AKeptRunDoneAgainEndsInTheSameBits) {
   Simulation live(scene, findMethod("rk4"), {.threads = 1});
   live.tick(40), live.push(190, {0, 0, 3}, 20), live.tick(10), live.useMethod(findMethod("leapfrog"));
   live.useStep(0.001), live.tick(50);
-  PushLog log = live.log();
+  EventLog log = live.log();
   log.ticks = live.ticks();
   keeper_.keep(picture(4, 4), log);
 
   const Scene kept = parseScene(contentsOf(folder_ / "tyg-curtain-1.toml"), "kept", methodNames());
   Simulation again(kept, findMethod(kept.integrator), {.threads = 1});
-  again.replay(parsePushLog(contentsOf(folder_ / "tyg-curtain-1.csv"), "kept"), methods());
+  again.replay(parseEventLog(contentsOf(folder_ / "tyg-curtain-1.csv"), "kept"), methods());
   again.tick(100);
   EXPECT_EQ(again.hash(), live.hash());
 }

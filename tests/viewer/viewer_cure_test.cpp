@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/simulation/world.h"
+#include "core/simulation/live_parameters.h"
 #include "study/limits/stability.h"
 #include "util/text.h"
 #include "viewer/viewer_fixture.h"
@@ -136,7 +136,7 @@ TEST_F(WildViewerTest, ARecordOfACuredRunReplaysToTheSameHash) {
   runUntilFrozen();
   tap('V');
   frames(30);
-  const PushLog log = viewer_.run().record();
+  const EventLog log = viewer_.run().record();
   Simulation again(wild(), findMethod(log.integrator), {.threads = 1});
   again.replay(log, methods());
   again.tick(log.ticks);
@@ -178,10 +178,10 @@ TEST_F(MischosenViewerTest, ACuredRunHasTheSettingsThatFailedAndTheCure) {
   EXPECT_EQ(viewer_.scenes().scene(), stiff_);
   EXPECT_EQ(viewer_.run().simulation().method().name, "explicit-euler");
   EXPECT_EQ(viewer_.run().simulation().dt(), stiff_.dt);
-  EXPECT_EQ(worldOf(viewer_.run().simulation().scene()), worldOf(stiff_));
+  EXPECT_TRUE(sameLiveParameters(viewer_.run().simulation().scene(), stiff_));
   frames(60);
   EXPECT_EQ(viewer_.run().state(), RunState::Running);
-  const PushLog log = viewer_.run().record();
+  const EventLog log = viewer_.run().record();
   Simulation again(curtain(), findMethod(log.integrator), {.threads = 1});
   again.replay(log, methods());
   again.tick(log.ticks);

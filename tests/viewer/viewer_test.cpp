@@ -160,9 +160,9 @@ TEST_F(ViewerTest, AClickThatMissesPushesTheMiddleParticleAlongZ) {
 TEST_F(ViewerTest, AClickPushesForATenthOfASecondInWholeTicks) {
   clickOnCloth();
   release(kLeftButton);
-  const PushLog log = viewer_.run().record();
+  const EventLog log = viewer_.run().record();
   ASSERT_EQ(log.events.size(), 1U);
-  EXPECT_EQ(log.events[0].ticks, 50);  // 0.1 s of 2 ms
+  EXPECT_EQ(std::get<PushEvent>(log.events[0].action).ticks, 50);  // 0.1 s of 2 ms
 }
 
 TEST_F(ViewerTest, HoldingTheButtonGoesOnWithoutDoublingTheForce) {
@@ -170,11 +170,12 @@ TEST_F(ViewerTest, HoldingTheButtonGoesOnWithoutDoublingTheForce) {
   tap(' ');
   frames(30);
   release(kLeftButton);
-  const PushLog log = viewer_.run().record();
+  const EventLog log = viewer_.run().record();
   ASSERT_GT(log.events.size(), 5U);
+  const auto push = [&log](std::size_t index) { return std::get<PushEvent>(log.events[index].action); };
   for (std::size_t next = 1; next < log.events.size(); ++next) {
-    EXPECT_EQ(log.events[next].tick, log.events[next - 1].tick + log.events[next - 1].ticks);
-    EXPECT_EQ(log.events[next].force, log.events[0].force);
+    EXPECT_EQ(log.events[next].tick, log.events[next - 1].tick + push(next - 1).ticks);
+    EXPECT_EQ(push(next).force, push(0).force);
   }
   EXPECT_EQ(viewer_.logLine().pushes, 1);
 }
@@ -187,9 +188,9 @@ TEST_F(ViewerTest, ARecordReplaysToTheSameHash) {
   release(kLeftButton);
   tap('4');
   frames(20);
-  const PushLog log = viewer_.run().record();
+  const EventLog log = viewer_.run().record();
   Simulation again(curtain(), findMethod(log.integrator), {.threads = 1});
-  again.replay(parsePushLog(formatPushLog(log), "record"), methods());
+  again.replay(parseEventLog(formatEventLog(log), "record"), methods());
   while (again.ticks() < log.ticks) again.tick();
   EXPECT_EQ(again.hash(), viewer_.run().simulation().hash());
 }
@@ -207,7 +208,7 @@ TEST_F(ViewerTest, ARecordOfAnEditedSceneCarriesItAsItWasEdited) {
   edited.gravity = {0, -1.62, 0};
   viewer_.scenes().use(edited);
   frames(20);
-  const PushLog log = parsePushLog(formatPushLog(viewer_.run().record()), "record");
+  const EventLog log = parseEventLog(formatEventLog(viewer_.run().record()), "record");
   const Scene scene = parseScene(log.sceneText, "record", methodNames());
   Simulation again(scene, findMethod(log.integrator), {.threads = 1});
   again.replay(log, methods());
@@ -217,12 +218,12 @@ TEST_F(ViewerTest, ARecordOfAnEditedSceneCarriesItAsItWasEdited) {
 }
 
 TEST_F(ViewerTest, ARestartHandsOutTheRecordOfTheRunThatEnded) {
-  std::vector<PushLog> kept;
-  viewer_.run().onRunEnd([&kept](const PushLog& log) { kept.push_back(log); });
+  std::vector<EventLog> kept;
+  viewer_.run().onRunEnd([&kept](const EventLog& log) { kept.push_back(log); });
   tap('R');
   EXPECT_TRUE(kept.empty());  // nothing had run
   tap('.');
-  const PushLog expected = viewer_.run().record();
+  const EventLog expected = viewer_.run().record();
   tap('R');
   ASSERT_EQ(kept.size(), 1U);
   EXPECT_EQ(kept[0], expected);

@@ -44,7 +44,7 @@ TEST_F(ViewerTest, ThePastCanBeLookedAtWithoutLosingTheRecord) {
   tap(' ');
   frames(30);
   tap(' ');
-  const PushLog record = viewer_.run().record();
+  const EventLog record = viewer_.run().record();
   viewer_.run().turnToTime(0.1);
   EXPECT_NEAR(viewer_.run().shown().time(), 0.1, 1e-9);
   EXPECT_TRUE(viewer_.run().timeline().past);
@@ -57,7 +57,7 @@ TEST_F(ViewerTest, WhatIsKeptWithAPictureOfThePastEndsThere) {
   tap(']');
   frames(30);
   viewer_.run().turnToTime(0.1);
-  const PushLog log = viewer_.run().recordShown();
+  const EventLog log = viewer_.run().recordShown();
   EXPECT_EQ(log.ticks, ticks());
   EXPECT_TRUE(log.events.empty());
   Simulation again(curtain(), findMethod(log.integrator), {.threads = 1});
@@ -140,7 +140,7 @@ TEST_F(ViewerTest, ASpeedThatIsChosenInAReplayOutlastsIt) {
 }
 
 TEST_F(ViewerTest, ARestartSurvivesARecordThatCannotBeKept) {
-  viewer_.run().onRunEnd([](const PushLog&) { throw InputError("the disk is full"); });
+  viewer_.run().onRunEnd([](const EventLog&) { throw InputError("the disk is full"); });
   tap('.');
   tap('R');
   EXPECT_EQ(viewer_.run().state(), RunState::Waiting);
@@ -213,7 +213,7 @@ TEST_F(CalmViewerTest, ItsSleepIsNoPartOfTheRecord) {
   frames(50);
   tap(kLeftButton);
   frames(50);
-  const PushLog log = viewer_.run().record();
+  const EventLog log = viewer_.run().record();
   Simulation again(calm(), findMethod(log.integrator), {.threads = 1});
   again.replay(log, methods());
   again.tick(log.ticks);

@@ -43,8 +43,8 @@ Examples:
 Exit codes: 0 done; 1 the run became unstable, or a replay ended in other bits; 2 wrong input or
 usage; 130 interrupted by Ctrl-C. After 1 and 130 no CSV file is written.)";
 
-PushLog readLog(const std::string& path) {
-  return parsePushLog(readWholeFile(path, "--replay: cannot read", "a file written by tyg view --record"), path);
+EventLog readLog(const std::string& path) {
+  return parseEventLog(readWholeFile(path, "--replay: cannot read", "a file written by tyg view --record"), path);
 }
 
 template <class T>
@@ -55,7 +55,7 @@ void mustAgree(const char* option, const std::optional<T>& given, const T& logge
 }
 
 /// The scene that a log carries, or else the one that it names.
-Scene loggedScene(const PushLog& log) {
+Scene loggedScene(const EventLog& log) {
   if (log.sceneText.empty()) return loadScene(log.scene, methodNames());
   Scene scene = parseScene(log.sceneText, "the scene in the log", methodNames());
   scene.name = log.scene;
@@ -71,7 +71,7 @@ bool sameCloth(Scene scene, const Scene& other) {
 }
 
 /// The scene as it was when the log was made. Throws InputError where scene and log cannot belong together.
-Scene fitted(Scene scene, const SceneOptions& options, const PushLog& log) {
+Scene fitted(Scene scene, const SceneOptions& options, const EventLog& log) {
   const auto grid = [](int columns, int rows) { return std::to_string(columns) + "x" + std::to_string(rows); };
   if (scene.columns != log.columns || scene.rows != log.rows) {
     const std::string logged = grid(log.columns, log.rows);
@@ -120,7 +120,7 @@ class Run {
     progress_.finish();
   }
 
-  void replay(const PushLog& log) {
+  void replay(const EventLog& log) {
     replayedTicks_ = log.ticks;
     simulation_.replay(log, methods());
     for (std::int64_t tick = 0; tick < log.ticks && goesOn(); ++tick) timed([&] { simulation_.tick(); });
@@ -158,7 +158,7 @@ class Run {
 };
 
 /// Says how the run ended, on standard output for the result and standard error for what went wrong.
-int report(Run& run, const RunOptions& options, const PushLog* log) {
+int report(Run& run, const RunOptions& options, const EventLog* log) {
   Simulation& simulation = run.simulation();
   const FinishedRun finished{simulation, simulation.ledger(), options.ledger, run.seconds(),
                              restLatticeLimit(simulation.scene(), simulation.method())};
@@ -176,7 +176,7 @@ int report(Run& run, const RunOptions& options, const PushLog* log) {
 }
 
 int run(const RunOptions& options) {
-  std::optional<PushLog> log;
+  std::optional<EventLog> log;
   if (options.replay) log = readLog(*options.replay);
   const bool fromLog = options.scene.scene.empty();  // there is one then
   Scene scene = fromLog ? overridden(loggedScene(*log), options.scene) : chosenScene(options.scene);

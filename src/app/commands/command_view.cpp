@@ -41,14 +41,14 @@ int view(const ViewOptions& options) {
   if (options.record) checkWritable(*options.record);
   Viewer viewer(scene, Settings{.threads = options.scene.threads.value_or(0)}, wallClock);
   bool kept = false;
-  const auto keep = [&options, &kept](const PushLog& log) {
+  const auto keep = [&options, &kept](const EventLog& log) {
     kept = true;
-    if (options.record) writeWholeFile(*options.record, formatPushLog(log));
+    if (options.record) writeWholeFile(*options.record, formatEventLog(log));
   };
   viewer.run().onRunEnd(keep);
   // A run that was never started does not replace the one before the restart.
   const auto keepWhatRan = [&viewer, &keep] {
-    if (const PushLog log = viewer.run().record(); log.ticks > 0) keep(log);
+    if (const EventLog log = viewer.run().record(); log.ticks > 0) keep(log);
   };
   const InterruptWatch watch;
   try {

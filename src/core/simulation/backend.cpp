@@ -1,5 +1,6 @@
-// State, forces and integrator of one precision. What changes while the cloth moves is handed to each of them in place.
-#include "core/simulation/moving_sheet.h"
+// The backend on the processor, once for each precision: state, forces and integrator. What changes while the cloth
+// moves is handed to each of them in place.
+#include "core/simulation/backend.h"
 
 #include <optional>
 
@@ -22,9 +23,9 @@ State<T> displacedStart(const Scene& scene, const Sheet& sheet) {
 }
 
 template <class T>
-class MovingSheetOf final : public MovingSheet {
+class BackendOf final : public Backend {
  public:
-  MovingSheetOf(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers, bool trackDissipation)
+  BackendOf(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers, bool trackDissipation)
       : scene_(scene),
         sheet_(sheet),
         state_(displacedStart<T>(scene, sheet)),
@@ -35,7 +36,7 @@ class MovingSheetOf final : public MovingSheet {
   }
 
   void useMethod(const Method& method) override { integrator_ = method.make<T>(scene_, sheet_); }
-  void useWorld() override {
+  void useLiveParameters() override {
     integrator_->useParameters(scene_, sheet_);  // first: it may refuse
     forces_.useParameters(scene_);
     if (spectrum_) spectrum_->useParameters(scene_);
@@ -78,22 +79,22 @@ class MovingSheetOf final : public MovingSheet {
     }
   }
 
-  [[nodiscard]] std::unique_ptr<Moment> save() const override {
-    auto moment = std::make_unique<MomentOf>();
-    moment->state = state_;
-    moment->integrator = integrator_->clone();
-    moment->account = forces_.account();
-    return moment;
+  [[nodiscard]] std::unique_ptr<Checkpoint> save() const override {
+    auto checkpoint = std::make_unique<CheckpointOf>();
+    checkpoint->state = state_;
+    checkpoint->integrator = integrator_->clone();
+    checkpoint->account = forces_.account();
+    return checkpoint;
   }
-  void restore(const Moment& saved) override {
-    const auto& moment = dynamic_cast<const MomentOf&>(saved);
-    state_ = moment.state;
-    integrator_ = moment.integrator->clone();
-    forces_.setAccount(moment.account);
+  void restore(const Checkpoint& saved) override {
+    const auto& checkpoint = dynamic_cast<const CheckpointOf&>(saved);
+    state_ = checkpoint.state;
+    integrator_ = checkpoint.integrator->clone();
+    forces_.setAccount(checkpoint.account);
   }
 
  private:
-  struct MomentOf final : Moment {
+  struct CheckpointOf final : Checkpoint {
     State<T> state;
     std::unique_ptr<Integrator<T>> integrator;
     typename Forces<T>::Account account;
@@ -111,12 +112,12 @@ class MovingSheetOf final : public MovingSheet {
 
 }  // namespace
 
-std::unique_ptr<MovingSheet> makeMovingSheet(const Scene& scene, const Sheet& sheet, const Method& method,
-                                             Workers& workers, bool trackDissipation) {
+std::unique_ptr<Backend> makeBackend(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers,
+                                     bool trackDissipation) {
   if (scene.precision == Precision::Float) {
-    return std::make_unique<MovingSheetOf<float>>(scene, sheet, method, workers, trackDissipation);
+    return std::make_unique<BackendOf<float>>(scene, sheet, method, workers, trackDissipation);
   }
-  return std::make_unique<MovingSheetOf<double>>(scene, sheet, method, workers, trackDissipation);
+  return std::make_unique<BackendOf<double>>(scene, sheet, method, workers, trackDissipation);
 }
 
 }  // namespace tyg

@@ -1,5 +1,5 @@
-// The half of a simulation that depends on the precision: state, forces and integrator behind one virtual interface.
-// Must not know: stop times, pushes over time, alarms.
+// What moves in a simulation, and depends on the precision: state, forces and integrator behind one virtual interface.
+// Must not know: stop times, when a push begins or ends, alarms.
 #pragma once
 
 #include <memory>
@@ -11,18 +11,18 @@
 
 namespace tyg {
 
-class MovingSheet {
+class Backend {
  public:
-  /// Everything that moves, copied; the precision is known to its maker.
-  struct Moment {
-    virtual ~Moment() = default;
+  /// A copy of everything that moves. Only the backend that made it can restore it.
+  struct Checkpoint {
+    virtual ~Checkpoint() = default;
     [[nodiscard]] virtual std::size_t bytes() const = 0;  ///< of memory
   };
 
-  virtual ~MovingSheet() = default;
+  virtual ~Backend() = default;
   virtual void useMethod(const Method& method) = 0;
-  /// The scene has other parameters now. Changes nothing where the method refuses them by throwing InputError.
-  virtual void useWorld() = 0;
+  /// The scene has other live parameters now. Changes nothing where the method refuses them by throwing InputError.
+  virtual void useLiveParameters() = 0;
   /// `count` steps of h seconds, 1 to 64.
   virtual void steps(double h, int count) = 0;
   /// See Integrator::stepWithin.
@@ -48,12 +48,12 @@ class MovingSheet {
   virtual void copyPositions(std::span<float> xyz) const = 0;
   [[nodiscard]] virtual std::uint64_t hash() const = 0;
 
-  [[nodiscard]] virtual std::unique_ptr<Moment> save() const = 0;
-  virtual void restore(const Moment& moment) = 0;
+  [[nodiscard]] virtual std::unique_ptr<Checkpoint> save() const = 0;
+  virtual void restore(const Checkpoint& saved) = 0;
 };
 
 /// A scene from its displaced start shape. The references must outlive it.
-std::unique_ptr<MovingSheet> makeMovingSheet(const Scene& scene, const Sheet& sheet, const Method& method,
-                                             Workers& workers, bool trackDissipation);
+std::unique_ptr<Backend> makeBackend(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers,
+                                     bool trackDissipation);
 
 }  // namespace tyg
