@@ -16,7 +16,7 @@
 #include "ui/overlay.h"
 #include "util/text.h"
 #include "viewer/edits.h"
-#include "viewer/tools/push_tool.h"
+#include "viewer/push_tool.h"
 #include "viewer/viewer.h"
 
 namespace tyg {
