@@ -31,10 +31,11 @@ class DietMaker {
   Diet make() {
     diet_.written = row({DietRow{}.words, scene_});
     diet_.written.saved = 0;
-    for (std::size_t k = 0; k < kChanges.size() && !diet_.stopped; ++k) {
-      fraction_ = kAloneShare * static_cast<double>(k) / kChanges.size();
-      if (std::optional<DietRow> best = bestOf(kChanges.at(k), diet_.written)) {
-        alone_.emplace_back(kChanges.at(k), *best);
+    const std::vector<Change> changes = allChanges();
+    for (std::size_t k = 0; k < changes.size() && !diet_.stopped; ++k) {
+      fraction_ = kAloneShare * static_cast<double>(k) / static_cast<double>(changes.size());
+      if (std::optional<DietRow> best = bestOf(changes[k], diet_.written)) {
+        alone_.emplace_back(changes[k], *best);
         diet_.alone.push_back(std::move(*best));
       }
     }
@@ -51,15 +52,15 @@ class DietMaker {
 
   /// The row of a change on top of `base`: of several ways the cheapest within the tolerance, or where there is none
   /// the one that loses least. Nothing where the change does not apply.
-  std::optional<DietRow> bestOf(Change change, const DietRow& base) {
+  std::optional<DietRow> bestOf(const Change& change, const DietRow& base) {
     std::optional<DietRow> best;
     for (const Changed& changed : changesOf(base.scene, change)) {
-      if (change == Change::Method && leastSeconds(changed.scene) > base.seconds) continue;
+      if (change.kind == Change::Method && leastSeconds(changed.scene) > base.seconds) continue;
       const DietRow next = row(changed);
       if (diet_.stopped) return std::nullopt;
-      if (change == Change::Method && !(next.seconds < (1 - kSameCost) * base.seconds)) continue;
+      if (change.kind == Change::Method && !(next.seconds < (1 - kSameCost) * base.seconds)) continue;
       if (!best || better(next, *best)) best = next;
-      if (change == Change::Step && !next.within) break;
+      if (change.kind == Change::Step && !next.within) break;
     }
     return best;
   }
