@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Takes pictures of every panel in the real window at 1280x720 and 1920x1080, dark and light, for looking at, and the
-# README's pictures of the laboratory: ./docs/make_panel_pictures.sh [path of tyg [FOLDER]]
+# pictures of the panels in docs/pictures: ./docs/make_panel_pictures.sh [path of tyg [FOLDER]]
 # FOLDER: build/panels, for PANEL-SIZE.png. On a virtual screen, with real keys and clicks; it needs what tests/driving.sh
 # needs, and ffmpeg.
 set -euo pipefail
@@ -12,7 +12,7 @@ folder=$(readlink -f "$folder")
 
 if [[ -z ${TYG_SCREEN:-} ]]; then
   for size in 1280x720 1920x1080; do TYG_SCREEN=$size "$here/make_panel_pictures.sh" "$tyg" "$folder"; done
-  for name in laboratory chart energy; do cp "$folder/$name-1280x720.png" "$here/$name.png"; done
+  for name in laboratory chart energy; do cp "$folder/$name-1280x720.png" "$here/pictures/$name.png"; done
   exit
 fi
 screen=$TYG_SCREEN backend=glfw limit=900 turns=2400
@@ -42,7 +42,6 @@ run_a_while() {
   until_true "it pauses" in_state paused
 }
 
-cd "$work"
 open_window curtain
 for panel in control:k gallery:o ghost:g stretch:t energy:equal traces:slash; do # name:key
   press "${panel#*:}"

@@ -1,52 +1,91 @@
 #!/usr/bin/env bash
-# Makes the README's pictures anew from the built program: ./docs/make_pictures.sh [path of tyg]
-# The window is the real one, on a virtual screen, with real keys and clicks; it needs xvfb, xdotool and ffmpeg.
+# Makes anew the pictures of the front page, of the first steps and of three studies, in docs/pictures:
+#   ./docs/make_pictures.sh [path of tyg]
+#   TYG_WINDOW_ONLY=1 ./docs/make_pictures.sh [path of tyg]      without the three studies
+# The window is the real one, on a virtual screen, with real keys and clicks; it needs what tests/driving.sh needs, and
+# ffmpeg. Panels are pictured by make_panel_pictures.sh, charts by the commands that their pages name.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 tyg=$(readlink -f "${1:-$here/../build/release/tyg}")
-cd "$here"
+pictures=$here/pictures
 
-if [[ ${TYG_PICTURES:-} != window ]]; then
-  "$tyg" plot four-particles --out four-particles >/dev/null
-  mv four-particles/plot.png four-particles.png
-  rm -r four-particles
-  "$tyg" stability curtain --out stability >/dev/null
-  mv stability/stability.png stability-curtain.png
-  rm -r stability
-  "$tyg" diet curtain --within 5% --out diet >/dev/null
-  mv diet/overlay.png diet-curtain.png
-  rm -r diet
-  TYG_PICTURES=window exec xvfb-run -a -s "-screen 0 1280x720x24 -nolisten tcp" "$here/make_pictures.sh" "$tyg"
+# study PICTURE NAME ARGUMENTS...: a command that writes NAME into the folder that it is given.
+study() {
+  local folder
+  folder=$(mktemp -d)
+  "$tyg" "${@:3}" --out "$folder" >/dev/null
+  mv "$folder/$2" "$pictures/$1"
+  rm -r "$folder"
+}
+if [[ -z ${TYG_DRIVEN:-}${TYG_WINDOW_ONLY:-} ]]; then
+  study four-particles.png plot.png plot four-particles
+  study stability-curtain.png stability.png stability curtain
+  study diet-curtain.png overlay.png diet curtain --within 5%
 fi
 
-log=$(mktemp)
-"$tyg" view curtain --log "$log" &
-viewer=$!
-trap 'kill "$viewer" 2>/dev/null || true; rm -f "$log"' EXIT
-# wait_for CONDITION: polls the log's newest line, an awk condition over its columns ($3 sim_s, $4 state, $11 pushes).
-wait_for() {
-  for ((turn = 0; turn < 600; ++turn)); do
-    if tail -n 1 "$log" | awk -F, "NF == 13 { found = ($1) } END { exit !found }"; then return; fi
-    sleep 0.05
-  done
-  echo "make_pictures: never came to $1" >&2
-  exit 1
+backend=glfw limit=300
+source "$here/../tests/driving.sh"
+picture() {
+  few_frames 8
+  sleep 0.5 # for the frame to reach the screen
+  ffmpeg -loglevel error -y -f x11grab -video_size "$screen" -i "$DISPLAY" -frames:v 1 "$pictures/$1.png"
 }
-picture() { ffmpeg -loglevel error -y -f x11grab -video_size 1280x720 -i "$DISPLAY" -frames:v 1 "$1"; }
+# hold KEY WHAT CONDITION...: the key stays down until the condition holds.
+hold() {
+  xdotool keydown "$1"
+  until_true "${@:2}"
+  xdotool keyup "$1"
+}
+leave() {
+  xdotool key Escape
+  wait_for_end "Escape"
+}
 
-wait_for '$4 == "waiting"'
-xdotool mousemove 640 380 key space
-wait_for '$3 > 0.55'
+cd "$work"
+open_window curtain
+picture start
+xdotool mousemove 700 320
+press space
+until_true "it swings" later_than 0.55
 xdotool mousedown 1
-wait_for '$11 > 0 && $3 > 0.62'
-xdotool key space
-wait_for '$4 == "paused"'
-picture window.png
-xdotool mouseup 1 mousemove 640 20 key space keydown bracketright
-wait_for '$6 > 0.0044'
-xdotool keyup bracketright
-wait_for '$4 == "frozen"'
-sleep 0.5 # for the frame to reach the screen
-picture failure.png
-xdotool key Escape
-wait "$viewer"
+pushed_and_later() { ((pushes > 0)) && later_than "$1"; }
+until_true "it is pushed" pushed_and_later 0.62
+press space
+until_true "it pauses" in_state paused
+xdotool mouseup 1
+click 730 290 # what is pushed while time is paused stays marked
+point 640 20
+picture window
+press space
+hold bracketright "the step comes close to its limit" step_past 0.0039
+press space
+until_true "it pauses" in_state paused
+picture close
+press space
+hold bracketright "the step passes its limit" step_past 0.0044
+until_true "the alarm freezes it" in_state frozen
+picture failure
+press v
+until_true "it goes on" in_state running
+until_true "it is past where it broke" later_than "$(awk "BEGIN { print $sim_s + 0.5 }")"
+press space
+until_true "it pauses" in_state paused
+picture cured
+leave
+
+open_window curtain --integrator report-rk4
+press h
+press space
+until_true "it swings" later_than 0.5
+xdotool mousemove 480 250 mousedown 1
+until_true "it is pushed" pushed_and_later 0.8
+press space
+until_true "it pauses" in_state paused
+xdotool mouseup 1
+press g
+few_frames 60 # the ghost catches up from the start
+xdotool mousemove 530 330 click 4 click 4
+point 640 20 # the panel takes its final size
+picture front
+press g
+leave

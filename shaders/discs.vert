@@ -15,7 +15,7 @@ out float radius;         // pixels
 out float opacity;
 out float farness;
 
-const float kRoom = 1.0;  // pixels around the disc for its soft edge
+const float kFringe = 1.0;  // pixels around the disc for its soft edge
 
 void main() {
   vec4 seen = view * vec4(position, 1);
@@ -26,7 +26,7 @@ void main() {
   opacity = min(wanted / drawn, 1.0);
   radius = drawn / 2;
   farness = clamp((depth - depths.x) / (depths.y - depths.x), 0.0, 1.0);
-  gl_PointSize = drawn + 2 * kRoom;
+  gl_PointSize = drawn + 2 * kFringe;
   // A little nearer than the lines that end in it, so that they do not cut it up.
   seen.xyz *= 0.995;
   gl_Position = projection * seen;

@@ -8,22 +8,22 @@ uniform float fade;          // how far the farthest part of the cloth goes towa
 uniform int colouring;       // 0: `colour`, else from `ramp`
 uniform vec3 ramp[5];
 uniform float opacityOfAll;  // 0..1
-uniform int pass;            // 0: middles, 1: edges, 2: both at once
+uniform int part;            // 0: middles, 1: edges, 2: both at once
 
 noperspective in float across;
 noperspective in float halfWidth;
 noperspective in float opacity;
-in float place;
+in float alongRamp;
 in float farness;
 out vec4 painted;
 
 void main() {
   float cover = clamp(halfWidth + 0.5 - abs(across), 0.0, 1.0);
   bool solid = cover >= 0.5;
-  if (cover <= 0.0 || (pass == 0 && !solid) || (pass == 1 && solid)) discard;
+  if (cover <= 0.0 || (part == 0 && !solid) || (part == 1 && solid)) discard;
   vec3 own = colour;
   if (colouring != 0) {
-    float at = clamp(place, 0.0, 1.0) * 4;
+    float at = clamp(alongRamp, 0.0, 1.0) * 4;
     int below = min(int(at), 3);
     own = mix(ramp[below], ramp[below + 1], at - float(below));
   }

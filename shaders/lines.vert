@@ -11,7 +11,7 @@ uniform float nearest;            // distance at which lines are cut, m
 uniform float width;              // pixels, at the distance `middle`
 uniform float spacing;            // m between neighbouring lines of the mesh; 0: not a mesh, never thinned
 uniform float middle;             // distance to the middle of the cloth, m
-uniform float sideways;           // pixels to draw the line beside its place (two families may share one place)
+uniform float sideways;           // pixels to draw the line beside where it lies (two families may lie in one line)
 uniform int colouring;            // 0: one colour, 1: by the numbers of the particles, 2: by the lines' strain
 uniform samplerBuffer values;     // a number of each particle
 uniform float restLength;         // m, of every line
@@ -21,7 +21,7 @@ uniform vec2 depths;              // of the nearest and the farthest part of the
 noperspective out float across;   // pixels from the line's middle
 noperspective out float halfWidth;
 noperspective out float opacity;
-out float place;                  // along the colours: 0 at the first, 1 at the last
+out float alongRamp;              // 0 at the first of the colours, 1 at the last
 out float farness;                // 0 at the cloth's nearest part, 1 at the farthest
 
 const vec2 kCorners[6] = vec2[6](vec2(0, -1), vec2(1, -1), vec2(0, 1), vec2(0, 1), vec2(1, -1), vec2(1, 1));
@@ -41,11 +41,11 @@ void main() {
   vec2 corner = kCorners[gl_VertexID % 6];
   uvec2 ends = texelFetch(lines, gl_VertexID / 6).rg;
   vec3 a = viewPosition(ends.x), b = viewPosition(ends.y);
-  across = halfWidth = opacity = farness = place = 0.0;
+  across = halfWidth = opacity = farness = alongRamp = 0.0;
   gl_Position = vec4(2, 2, 2, 1);  // all six vertices in one point outside: nothing is drawn
-  if (colouring == 1) place = texelFetch(values, int(corner.x < 0.5 ? ends.x : ends.y)).r;
-  if (colouring == 2) place = length(a - b) / restLength - 1;
-  place = (place - range.x) / max(range.y - range.x, 1e-30);
+  if (colouring == 1) alongRamp = texelFetch(values, int(corner.x < 0.5 ? ends.x : ends.y)).r;
+  if (colouring == 2) alongRamp = length(a - b) / restLength - 1;
+  alongRamp = (alongRamp - range.x) / max(range.y - range.x, 1e-30);
   // Written so that positions that are not numbers are dropped as well.
   if (!(a.z <= -nearest || b.z <= -nearest)) return;
   if (!(a.z <= -nearest)) a = mix(b, a, (-nearest - b.z) / (a.z - b.z));

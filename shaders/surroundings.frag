@@ -7,15 +7,15 @@ uniform vec3 grid;
 uniform vec3 eye;       // m
 uniform float height;   // of the ground, m
 uniform float cell;     // m between grid lines
-uniform vec2 middle;    // x and z of the place around which the grid is drawn, m
+uniform vec2 middle;    // x and z of the point around which the grid is drawn, m
 uniform float extent;   // how far it is drawn, m
 
 in vec3 sight;
 out vec4 painted;
 
 // How much of a pixel lines at every multiple of `step` cover; lines too dense to tell apart fade away.
-float gridCover(vec2 place, vec2 pixel, float step) {
-  vec2 away = abs(fract(place / step + 0.5) - 0.5) * step;
+float gridCover(vec2 point, vec2 pixel, float step) {
+  vec2 away = abs(fract(point / step + 0.5) - 0.5) * step;
   vec2 cover = clamp(1.1 - away / pixel, 0.0, 1.0) * (1 - smoothstep(0.12, 0.4, pixel / step));
   return max(cover.x, cover.y);
 }
@@ -25,9 +25,9 @@ void main() {
   vec3 colour = mix(ground, sky, smoothstep(-0.25, 0.12, direction.y));
   float distanceDown = height - eye.y;
   float t = direction.y * distanceDown > 0.0 ? distanceDown / direction.y : 1e9;
-  vec2 place = eye.xz + min(t, 1e4 * cell) * direction.xz;
-  vec2 pixel = max(fwidth(place), vec2(1e-9));
-  float near = 1 - smoothstep(0.15, 1.0, distance(place, middle) / extent);
-  float cover = max(0.45 * gridCover(place, pixel, cell), gridCover(place, pixel, 5 * cell));
+  vec2 point = eye.xz + min(t, 1e4 * cell) * direction.xz;
+  vec2 pixel = max(fwidth(point), vec2(1e-9));
+  float near = 1 - smoothstep(0.15, 1.0, distance(point, middle) / extent);
+  float cover = max(0.45 * gridCover(point, pixel, cell), gridCover(point, pixel, 5 * cell));
   painted = vec4(mix(colour, grid, t < 1e9 ? near * cover : 0.0), 1);
 }

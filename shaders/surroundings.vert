@@ -8,7 +8,7 @@ uniform vec3 upward;    // to its upper edge
 out vec3 sight;
 
 void main() {
-  vec2 place = vec2(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1);
-  sight = forward + place.x * rightward + place.y * upward;
-  gl_Position = vec4(place, 0, 1);
+  vec2 corner = vec2(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1);
+  sight = forward + corner.x * rightward + corner.y * upward;
+  gl_Position = vec4(corner, 0, 1);
 }

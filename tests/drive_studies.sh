@@ -4,7 +4,7 @@
 #   tests/drive_studies.sh TYG [PICTURES [WIDTHxHEIGHT]]     with PICTURES, a folder: keeps a picture of each panel there
 set -euo pipefail
 
-tyg=$1 pictures=${2:-} screen=${3:-1280x720} backend=glfw
+tyg=$1 pictures=${2:+$(readlink -m "$2")} screen=${3:-1280x720} backend=glfw
 limit=240 turns=1200 # seconds for everything, on a slow and busy machine
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/driving.sh"
 

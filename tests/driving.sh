@@ -1,6 +1,7 @@
 # What the scripts that drive the real window share: a virtual screen, the log's newest line, waiting for what it says.
 # To be sourced, with tyg, backend and limit (seconds for everything) set, and where they differ from these the screen and
-# how often until_true looks; starts the script again under Xvfb.
+# how often until_true looks; starts the script again under Xvfb. From then on the current folder, where the window keeps
+# files, and the folder of what it remembers are temporary.
 screen=${screen:-1280x720} turns=${turns:-600}
 
 for tool in xvfb-run xauth xdotool; do
@@ -11,7 +12,9 @@ if [[ -z ${TYG_DRIVEN:-} ]]; then
   exec timeout --kill-after=5 "$limit" xvfb-run -a -s "-screen 0 ${screen}x24 -nolisten tcp" "$0" "$@"
 fi
 
-work=$(mktemp -d)
+tyg=$(readlink -f "$tyg") work=$(mktemp -d)
+cd "$work"
+export XDG_STATE_HOME=$work/state
 log=$work/view.csv record=$work/record.csv
 cleanup() {
   if [[ -n ${viewer:-} ]]; then kill "$viewer" 2>/dev/null || true; fi

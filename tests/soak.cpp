@@ -56,7 +56,7 @@ class Soak {
       }
       if (chance(0.5)) deed();
       frame();
-      for (const float number : viewer_.positions()) {
+      for (const float number : viewer_.run().shown().positions()) {
         if (!std::isfinite(number)) return "a shown position is not finite in frame " + std::to_string(k);
       }
       if (k % 600 == 0) (k < frames / 2 ? before : after) = std::max(k < frames / 2 ? before : after, megabytes());
@@ -83,12 +83,12 @@ class Soak {
   }
   void tell(long frames) const {
     std::fprintf(stderr, "soak: %.0f minutes of the viewer's time, %ld deeds, %.0f MB, %s\n",
-                 double(frames) * kFrame / 60, deeds_, megabytes(), viewer_.scene().name.c_str());
+                 double(frames) * kFrame / 60, deeds_, megabytes(), viewer_.scenes().scene().name.c_str());
   }
   bool chance(double share) { return std::uniform_real_distribution<double>(0, 1)(random_) < share; }
   int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
 
-  [[nodiscard]] Margins margins() const {
+  [[nodiscard]] Insets margins() const {
     return {.left = int(panels_->width(Edge::Left)),
             .right = int(panels_->width(Edge::Right)),
             .beside = panels_->beside()};
@@ -106,8 +106,8 @@ class Soak {
     ImGui::NewFrame();
     panels_->draw(viewer_);
     ImGui::Render();
-    freezes_ += viewer_.state() == RunState::Frozen && !frozen_ ? 1 : 0;
-    frozen_ = viewer_.state() == RunState::Frozen;
+    freezes_ += viewer_.run().state() == RunState::Frozen && !frozen_ ? 1 : 0;
+    frozen_ = viewer_.run().state() == RunState::Frozen;
   }
 
   /// Another scene, started: it must move, or break as scenes that are meant to do.
@@ -115,11 +115,12 @@ class Soak {
     const auto scenes = builtinScenes();
     Scene scene = loadScene(std::string(scenes[std::size_t(below(int(scenes.size())))].name), methodNames());
     if (chance(0.3)) scene.columns = std::max(1, scene.columns / 2);
-    if (scene != viewer_.scene()) viewer_.use(scene);
+    if (scene != viewer_.scenes().scene()) viewer_.scenes().use(scene);
     key('R'), frame();
     key(' ');
-    for (double k = 0; k * viewer_.speed() < kFramesToMove; ++k) frame();
-    if (viewer_.state() == RunState::Running && !(viewer_.time() > 0)) return scene.name + " does not move";
+    for (double k = 0; k * viewer_.run().speed() < kFramesToMove; ++k) frame();
+    if (viewer_.run().state() == RunState::Running && !(viewer_.run().shown().time() > 0))
+      return scene.name + " does not move";
     return {};
   }
 
@@ -155,7 +156,8 @@ class Soak {
         if (chance(0.05)) send({.kind = WindowEvent::Kind::FocusLost});
         return;
       default:
-        if (chance(0.2)) viewer_.turnToTime(viewer_.timeline().first + chance(0.5) * (viewer_.time() / 2));
+        if (chance(0.2))
+          viewer_.run().turnToTime(viewer_.run().timeline().first + chance(0.5) * (viewer_.run().shown().time() / 2));
         return;
     }
   }

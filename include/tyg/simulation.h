@@ -1,4 +1,5 @@
-// A simulation: a scene set in motion by a method. All that viewers, studies and tests talk to.
+// A simulation: a scene set in motion by a method. Last of the headers to read: make one from a Scene and a Method,
+// call tick() or advanceTo(), ask for positions and energies. All that viewers, studies and tests talk to.
 // Must not know: windows, files, clocks.
 #pragma once
 
@@ -9,66 +10,70 @@
 #include <string>
 #include <string_view>
 
+#include "tyg/event_log.h"
 #include "tyg/method.h"
-#include "tyg/push_log.h"
 #include "tyg/scene.h"
 #include "tyg/sheet.h"
 
 namespace tyg {
 
-/// NotFinite: what moves has left the numbers, or a method that chooses its steps finds none that keeps its tolerance
-/// and is long enough for the run ever to end; such a run stands still, Settings::keepGoing or not.
+/// Ok: nothing has gone wrong. Unstable: the energy alarm has gone off. NotFinite: a number is infinite or NaN, or a
+/// method that chooses its own steps finds none that keeps its tolerance and is long enough for the run ever to end;
+/// such a run advances no further, even with Settings::keepGoing.
 enum class Status { Ok, Unstable, NotFinite };
 /// `ok`, `unstable`, `not-finite`.
 std::string_view nameOf(Status status);
 
-/// What a run keeps account of, J. Kinetic + elastic + gravitational + dissipated - work keeps its start value.
+/// The energies of a run, in J. Kinetic + elastic + gravitational + dissipated - work keeps its start value.
 struct Ledger {
   double kinetic = 0, elastic = 0;
   double gravitational = 0;  ///< zero at the start
   double work = 0;           ///< done by pushes: force times the distance moved, exact
   double dissipated = 0;     ///< by damping and drag; only with Settings::ledger
-  double scale = 0;          ///< S of the alarm: the run's own measure of a large energy
-  double storedRise = 0;   ///< largest rise so far of K + E + G - W above its lowest before, fraction of scale and what
-                           ///< the alarm gives to first steps
-  double balanceRise = 0;  ///< the same with the alarm's estimate of what damping and drag have taken added
-  double drift = 0;        ///< change of the sum since the start as a fraction of scale; only with Settings::ledger
-  double maxStretch = 0;   ///< largest spring elongation seen at the looks of the alarm (every 64 steps, and
-                           ///< wherever a run stops), fraction of its rest length
+  double scale = 0;          ///< what counts as a large energy in this run; S of the alarm
+  double storedRise = 0;     ///< largest rise so far of K + E + G - W above its lowest value before, as a fraction of
+                             ///< the scale and of what the alarm allows the first steps
+  double balanceRise = 0;    ///< the same with the alarm's estimate of what damping and drag have taken added
+  double drift = 0;          ///< change of the sum since the start as a fraction of scale; only with Settings::ledger
+  double maxStretch = 0;     ///< largest elongation of a spring seen at the energy checks (every 64 steps, and wherever
+                             ///< a run stops), as a fraction of its rest length
 };
 
 /// What a caller may ask of a simulation besides its scene.
 struct Settings {
-  int threads = 0;         ///< 0: one below the size where more pay, else every core
-  bool ledger = false;     ///< follow the dissipated energy: 1.6 (double) to 2.6 times (float) the time of a leapfrog
-                           ///< step, as it takes another pass over the springs and fused steps stop
-  bool keepGoing = false;  ///< run on past the alarm
+  int threads = 0;         ///< 0: one for sheets too small to gain from more, else one for each core
+  bool ledger = false;     ///< follow the dissipated energy: a step then takes 1.6 times (double) to 2.6 times (float)
+                           ///< as long
+  bool keepGoing = false;  ///< run on after the energy alarm
 };
 
-/// A complete copy of a moving simulation: restoring it and going on gives the same bits as never having stopped.
+/// A checkpoint: a complete copy of a moving simulation. Restoring it and going on gives the same bits as never having
+/// stopped.
 class Snapshot {
  public:
   [[nodiscard]] double time() const { return time_; }          ///< s
   [[nodiscard]] std::int64_t ticks() const { return ticks_; }  ///< since the start
-  [[nodiscard]] std::size_t bytes() const { return bytes_; }   ///< memory that it takes
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }   ///< of memory that it takes
+
  private:
   friend class Simulation;
   double time_ = 0;
   std::int64_t ticks_ = 0;
   std::size_t bytes_ = 0;
-  std::shared_ptr<const void> body_;
+  std::shared_ptr<const void> checkpoint_;
 };
 
 class Simulation {
  public:
-  /// Sets the scene up in its own precision. Throws InputError where pins or pushes lie outside the sheet.
+  /// Sets the scene up in its own precision. Throws InputError where pins or pushes lie outside the sheet, or where the
+  /// method does not take the scene.
   Simulation(const Scene& scene, const Method& method, const Settings& settings = {});
   ~Simulation();
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
 
-  /// Steps until `time` (s), which is met exactly, as are the edges of pushes on the way. Returns early when the alarm
-  /// goes (unless keepGoing) or the observer says stop.
+  /// Steps until `time` (s), which is met exactly, as are the begins and ends of pushes on the way. Returns early when
+  /// the alarm goes off (unless keepGoing) or the observer says stop.
   void advanceTo(double time);
   /// Advances by exactly `count` ticks of dt; a tick is cut where a scene's push begins or ends inside it. Stops early
   /// as advanceTo does, but between ticks: one that the observer stops has not begun. Many at once are the same bits as
@@ -77,25 +82,28 @@ class Simulation {
   /// Called about every 64 steps; return false to stop. For progress and interruption.
   void observe(std::function<bool()> observer);
 
-  /// A push from the next tick on for a whole number of ticks (>= 1), logged. Force in N.
+  /// Pushes a particle from the next tick on for a whole number of ticks (>= 1). Force in N. This and the three
+  /// functions after it add to the log. Throws InputError for a particle outside the sheet or too few ticks.
   void push(int particle, const Vec3& force, int ticks);
-  /// Goes on with another method or step from the next tick on, logged. Throws InputError where dt is not positive.
+  /// Goes on with another method from the next tick on. Throws InputError where it does not take the scene.
   void useMethod(const Method& method);
+  /// Goes on with another step (s) from the next tick on. Throws InputError where it is not positive.
   void useStep(double dt);
-  /// Goes on with the springs, the gravity, the drag and the tolerance of this scene from the next tick on, logged; the
-  /// rest of it is passed over. What that adds to the energies counts as work. Throws InputError where the method does
-  /// not take them.
-  void useWorld(const Scene& scene);
-  /// Whether to follow the dissipated energy, from now on (see Settings::ledger): the drift then counts from now. What
-  /// moves stays the same to the last bit.
+  /// Goes on with the springs, the gravity, the drag and the tolerance of this scene from the next tick on; the rest of
+  /// it is not used. What that adds to the energies counts as work. Throws InputError where the method does not take
+  /// them.
+  void useLiveParameters(const Scene& scene);
+  /// From the next tick on, does what happened to another simulation of the same sheet, whenever that was. `methods` is
+  /// where the name of a method is looked up. Throws InputError where it does not fit this simulation.
+  void apply(const Event& event, std::span<const Method> methods);
+  /// Lets everything that a log says happen at its tick, from now (tick 0) on. Throws InputError where the log does not
+  /// fit this simulation.
+  void replay(const EventLog& log, std::span<const Method> methods);
+  /// Whether to follow the dissipated energy, from now on (see Settings::ledger): the drift then counts from now. The
+  /// motion stays the same to the last bit.
   void followLedger(bool on);
-  /// Whether to run on past the alarm, from now on.
+  /// Whether to run on after the alarm, from now on.
   void keepGoing(bool yes);
-  /// Does at their ticks what a log says, from now (tick 0) on; `methods` is where its method names are looked up.
-  /// Throws InputError where the log does not fit this simulation.
-  void replay(const PushLog& log, std::span<const Method> methods);
-  /// Does from the next tick on what was done to another simulation of the same sheet, whenever that was.
-  void apply(const LogEvent& event, std::span<const Method> methods);
 
   [[nodiscard]] double time() const;         ///< s
   [[nodiscard]] std::int64_t ticks() const;  ///< done so far
@@ -108,7 +116,7 @@ class Simulation {
   [[nodiscard]] const Scene& startScene() const;  ///< as it began
   [[nodiscard]] const Sheet& sheet() const;
   [[nodiscard]] const Method& method() const;
-  [[nodiscard]] const PushLog& log() const;  ///< every push and change since the start
+  [[nodiscard]] const EventLog& log() const;  ///< everything that happened since the start
 
   [[nodiscard]] Vec3 position(int particle) const;  ///< m
   [[nodiscard]] Vec3 velocity(int particle) const;  ///< m/s
@@ -116,7 +124,7 @@ class Simulation {
   void copyPositions(std::span<float> xyz) const;
   [[nodiscard]] std::uint64_t hash() const;
 
-  /// Energies now. Also moves the alarm's lowest value, so looking never makes a later alarm sleepier.
+  /// The energies now. This is an energy check as well: it never makes a later alarm less likely.
   Ledger ledger();
   /// Largest stable step (s) of the present method at the present state, damping included: infinite where nothing sets
   /// a limit, NaN where the method has none (rkc2, whose stages follow the sheet's waves, included) or the state is not
@@ -126,18 +134,18 @@ class Simulation {
   /// mode's damping is taken along its own direction, which is as exact where one of stiffness and damping clearly sets
   /// the limit; explicit Euler's is that of the stiffest mode, and an upper bound.
   double liveStableStep();
-  /// Checks the alarm now; every 64 steps this happens by itself. The status, once bad, stays.
+  /// Checks the energies now; every 64 steps this happens by itself. The status, once bad, stays.
   Status check();
   [[nodiscard]] Status status() const;
   [[nodiscard]] double alarmTime() const;  ///< s at which the status turned bad; NaN while it is Ok
 
   [[nodiscard]] Snapshot save() const;
-  /// Goes back to a moment saved by this same simulation, its log and method included.
+  /// Goes back to a checkpoint of this same simulation, its log and method included.
   void restore(const Snapshot& snapshot);
 
  private:
-  struct Body;
-  std::unique_ptr<Body> body_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 /// The state's hash as 16 hexadecimal digits.

@@ -17,18 +17,20 @@ namespace tyg {
 namespace {
 
 constexpr const char* kAbout =
-    "Tyg, an interactive cloth viewer: a sheet of particles joined by springs, moved by the method you name.\n"
-    "`tyg` alone opens the window with the curtain, `tyg flag` with the flag: space starts it, a left click pokes it.";
+    R"(Tyg, an interactive cloth viewer: a sheet of particles joined by springs, moved by the method that
+you name. `tyg` alone opens the window with the curtain, `tyg flag` opens it with the flag. Space
+starts the cloth, and a left click pushes it.)";
 
-constexpr const char* kMore =
-    "SCENE is a built-in name (tyg list shows them) or the path of a .toml file.\n\n"
-    "Examples:\n"
-    "  tyg                                    the curtain in a window\n"
-    "  tyg view poke --integrator leapfrog    another scene, another method\n"
-    "  tyg run curtain --duration 5           simulate, without a window\n"
-    "  tyg run --help                         every option of a command, with its unit and default\n\n"
-    "Exit codes: 0 done; 1 the simulation failed; 2 wrong input or usage, or an output that cannot be written;\n"
-    "130 interrupted by Ctrl-C (files that were not finished are not written).";
+constexpr const char* kMore = R"(SCENE is a built-in name (tyg list shows them) or the path of a .toml file.
+
+Examples:
+  tyg                                    the curtain in a window
+  tyg view poke --integrator leapfrog    another scene, another method
+  tyg run curtain --duration 5           simulate, without a window
+  tyg run --help                         every option of a command, with its unit and default
+
+Exit codes: 0 done; 1 the simulation failed; 2 wrong input or usage, or an output that cannot be
+written; 130 interrupted by Ctrl-C (files that were not finished are not written).)";
 
 std::vector<std::string> commandNames(const CLI::App& app) {
   std::vector<std::string> names;
@@ -72,8 +74,8 @@ std::string unknownOption(const CLI::App& command) {
   return found == left.end() ? std::string() : *found;
 }
 
-/// CLI11 says what is wrong; this adds what is allowed and where it is explained. It misses SCENE before it minds an
-/// unknown option, which is what the person sees.
+/// CLI11 says what is wrong; this adds what is allowed and where it is explained. It complains of a missing SCENE
+/// before it complains of an unknown option, which is what the person sees.
 int explain(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   const CLI::App& command = chosen.empty() ? app : *chosen.front();

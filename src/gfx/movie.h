@@ -1,5 +1,5 @@
-// Movies through ffmpeg, where it is installed: raw frames go down a pipe, one MP4 or GIF comes out, whole or not at
-// all. Must not know: what the frames show.
+// Movies through ffmpeg, where it is installed: it reads raw frames and writes one MP4 or GIF, whole or not at all.
+// Must not know: what the frames show.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace tyg {
 /// Is there an ffmpeg on the PATH?
 bool haveFfmpeg();
 
-/// One movie being made. Destroyed before finish() it leaves no file.
+/// One movie being made. Where it is destroyed before finish(), ffmpeg is ended and no file is left.
 class Movie {
  public:
   /// `path` ends in .mp4 (H.264; both sizes must be even) or .gif; `fps` frames per second, > 0. Throws InputError
@@ -29,8 +29,8 @@ class Movie {
   void finish();
 
  private:
-  struct Body;
-  std::unique_ptr<Body> body_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace tyg

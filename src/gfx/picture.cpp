@@ -1,4 +1,4 @@
-// PNG by stb; see picture.h.
+// PNG by the stb library, whose code is compiled here and only here.
 #include "gfx/picture.h"
 
 #include <stdexcept>

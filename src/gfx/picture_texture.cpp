@@ -1,10 +1,10 @@
-// See picture_texture.h. Drawn into a multisampled framebuffer, then resolved into the texture.
+// Draws into a framebuffer with several samples per pixel, then averages them into the texture.
 #include "gfx/picture_texture.h"
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "gfx/passes/gl_objects.h"
+#include "gfx/gl_objects.h"
 
 namespace tyg {
 namespace {
@@ -42,12 +42,12 @@ class FramebufferGuard {
 
 }  // namespace
 
-struct PictureTexture::Body {
+struct PictureTexture::Impl {
   GlTexture texture;
   GlObject<FramebufferKind> smooth, resolved;
   GlObject<RenderbufferKind> colour, depth;
 
-  Body(int width, int height) {
+  Impl(int width, int height) {
     const FramebufferGuard guard;
     glBindTexture(GL_TEXTURE_2D, texture.name());
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
@@ -64,10 +64,10 @@ struct PictureTexture::Body {
     mustBeComplete();
   }
 
-  static void attach(GLuint buffer, GLenum format, GLenum place, int samples, int width, int height) {
+  static void attach(GLuint buffer, GLenum format, GLenum slot, int samples, int width, int height) {
     glBindRenderbuffer(GL_RENDERBUFFER, buffer);
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, buffer);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, slot, GL_RENDERBUFFER, buffer);
   }
   static void mustBeComplete() {
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
@@ -79,17 +79,17 @@ struct PictureTexture::Body {
 bool PictureTexture::possible() { return glGenFramebuffers != nullptr && glGenTextures != nullptr; }
 
 PictureTexture::PictureTexture(int width, int height)
-    : width_(width), height_(height), body_(std::make_unique<Body>(width, height)) {}
+    : width_(width), height_(height), impl_(std::make_unique<Impl>(width, height)) {}
 PictureTexture::~PictureTexture() = default;
 
-unsigned PictureTexture::name() const { return body_->texture.name(); }
+unsigned PictureTexture::name() const { return impl_->texture.name(); }
 
 void PictureTexture::draw(const std::function<void()>& drawing) {
   const FramebufferGuard guard;
-  glBindFramebuffer(GL_FRAMEBUFFER, body_->smooth.name());
+  glBindFramebuffer(GL_FRAMEBUFFER, impl_->smooth.name());
   drawing();
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, body_->smooth.name());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, body_->resolved.name());
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, impl_->smooth.name());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, impl_->resolved.name());
   glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 

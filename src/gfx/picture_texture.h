@@ -25,9 +25,9 @@ class PictureTexture {
   [[nodiscard]] int height() const { return height_; }
 
  private:
-  struct Body;
+  struct Impl;
   int width_, height_;
-  std::unique_ptr<Body> body_;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace tyg

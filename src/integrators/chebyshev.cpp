@@ -1,4 +1,5 @@
-// The polynomials by their three-term recurrences; the fewest stages by trying them against every mode.
+// The polynomials and their derivatives come from the three-term recurrence of Chebyshev's; a scene gets the fewest
+// stages that hold all modes that its springs can have.
 #include "integrators/chebyshev.h"
 
 #include <algorithm>

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "core/forces/field_ops.h"
 #include "core/forces/term.h"
+#include "integrators/kick_and_drift.h"
 #include "integrators/make.h"
 #include "integrators/spring_list.h"
 #include "integrators/stable_step.h"
@@ -46,7 +46,7 @@ class Imex final : public Integrator<T> {
     if (isDamped_) {
       solve(state, h);
     } else {
-      kick(forces, state, h);
+      kick(forces, state, force_, h);
     }
     forces.measurePower(state.position, state.velocity);
     forces.dissipate(h / 2);
@@ -62,19 +62,6 @@ class Imex final : public Integrator<T> {
  private:
   using Matrix = Eigen::SparseMatrix<T>;
   using Columns = Eigen::Matrix<T, Eigen::Dynamic, 3>;
-
-  void drift(Forces<T>& forces, State<T>& state, double h) {
-    const T step = T(h);
-    T* x = state.position.x();
-    const T* v = state.velocity.x();
-    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) { x[i] += step * v[i]; });
-  }
-  void kick(Forces<T>& forces, State<T>& state, double h) {
-    const T step = T(h * forces.inverseMass());
-    T* v = state.velocity.x();
-    const T* f = force_.x();
-    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) { v[i] += step * f[i]; });
-  }
 
   /// D over the particles that move: the graph Laplacian weighted with kd, plus what resists single particles.
   void buildDamping() {

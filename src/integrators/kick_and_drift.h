@@ -1,4 +1,5 @@
-// The update that the symplectic Euler family shares: first the velocity, then the position with the new velocity.
+// The two halves of an update that several methods share: a kick changes velocities, a drift moves positions.
+// Must not know: any method.
 #pragma once
 
 #include "core/forces/field_ops.h"
@@ -6,7 +7,25 @@
 
 namespace tyg {
 
-/// v' = v + h a(x, v); x' = x + h v' with a = force / m.
+/// v' = v + h force / m.
+template <class T>
+void kick(Forces<T>& forces, State<T>& state, const VectorField<T>& force, double h) {
+  const T step = T(h * forces.inverseMass());
+  T* v = state.velocity.x();
+  const T* f = force.x();
+  forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) { v[i] += step * f[i]; });
+}
+
+/// x' = x + h v.
+template <class T>
+void drift(Forces<T>& forces, State<T>& state, double h) {
+  const T step = T(h);
+  T* x = state.position.x();
+  const T* v = state.velocity.x();
+  forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) { x[i] += step * v[i]; });
+}
+
+/// Both in one pass, the kick first: v' = v + h a(x, v); x' = x + h v' with a = force / m.
 template <class T>
 void kickAndDrift(Forces<T>& forces, State<T>& state, VectorField<T>& force, double h) {
   forces.evaluate(state.position, state.velocity, force);

@@ -1,7 +1,7 @@
 // Leapfrog in its velocity Verlet form (Verlet 1967; Swope et al. 1982):
 //   w = v + h/2 a;  x' = x + h w;  a' = a(x', w + h/2 a);  v' = w + h/2 a'
 // Damping sees the velocity predicted with the old acceleration: that keeps second order with one evaluation a step.
-#include "core/forces/field_ops.h"
+#include "integrators/kick_and_drift.h"
 #include "integrators/make.h"
 #include "integrators/stable_step.h"
 
@@ -48,10 +48,7 @@ class Leapfrog final : public Integrator<T> {
   void finish(Forces<T>& forces, State<T>& state, double h) {
     forces.evaluate(state.position, predicted_, force_);
     forces.dissipate(h / 2);
-    const T halfKick = T(h / 2 * forces.inverseMass());
-    T* v = state.velocity.x();
-    const T* f = force_.x();
-    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) { v[i] += halfKick * f[i]; });
+    kick(forces, state, force_, h / 2);
   }
 
   VectorField<T> force_, predicted_;

@@ -1,4 +1,5 @@
-// See stable_step.h.
+// Limits of a single mode: in closed form where its roots allow that, else outward along the ray through the root until
+// a step makes the mode grow.
 #include "integrators/stable_step.h"
 
 #include <cmath>

@@ -4,7 +4,7 @@
 // Damping acts before, on the predicted velocities, as a pair impulse -h kd dv / (1 + h kd (w1 + w2)) per spring.
 #include <cmath>
 
-#include "core/forces/field_ops.h"
+#include "integrators/kick_and_drift.h"
 #include "integrators/make.h"
 #include "integrators/spring_list.h"
 
@@ -26,11 +26,11 @@ class Xpbd final : public Integrator<T> {
     forces.dissipate(h);
     forces.evaluateWithoutSprings(state.position, state.velocity, force_);
     start_ = state.position;
-    predictVelocity(forces, state, h);
+    kick(forces, state, force_, h);
     for (const ListedSpring& spring : springs_) {
       if (spring.kd > 0) damp(forces, state, spring, h);
     }
-    moveFreely(forces, state, h);
+    drift(forces, state, h);
     for (const ListedSpring& spring : springs_) {
       if (spring.ks > 0) project(forces, state.position, spring, h);
     }
@@ -46,18 +46,6 @@ class Xpbd final : public Integrator<T> {
   }
 
  private:
-  void predictVelocity(Forces<T>& forces, State<T>& state, double h) {
-    const T kick = T(h * forces.inverseMass());
-    T* v = state.velocity.x();
-    const T* f = force_.x();
-    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) { v[i] += kick * f[i]; });
-  }
-  void moveFreely(Forces<T>& forces, State<T>& state, double h) {
-    const T step = T(h);
-    T* x = state.position.x();
-    const T* v = state.velocity.x();
-    forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) { x[i] += step * v[i]; });
-  }
   void takeVelocity(Forces<T>& forces, State<T>& state, double h) {
     const T perStep = T(1 / h);
     T* v = state.velocity.x();

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui/fonts.h"
+#include "util/utf8.h"
 
 namespace tyg {
 namespace {
@@ -14,9 +15,10 @@ namespace {
 using Rgb = std::array<std::uint8_t, 3>;
 constexpr Rgb kInk{0x10, 0x14, 0x18};
 
-class Pen {
+class LegendWriter {
  public:
-  explicit Pen(Picture& picture) : picture_(picture), size_(std::max(14.0F, std::round(float(picture.height) / 36))) {
+  explicit LegendWriter(Picture& picture)
+      : picture_(picture), size_(std::max(14.0F, std::round(float(picture.height) / 36))) {
     font_ = addFont(atlas_, size_, true);
     atlas_.GetTexDataAsAlpha8(&alpha_, &alphaWidth_, &alphaHeight_);
     size_ = font_->FontSize;
@@ -32,10 +34,10 @@ class Pen {
   }
 
   void text(float x, float y, const std::string& text) {
-    for (const char* at = text.data(); at < text.data() + text.size();) {
-      unsigned letter = 0;
-      at += std::max(1, decoded(at, text.data() + text.size(), letter));
-      const ImFontGlyph* glyph = font_->FindGlyph(static_cast<ImWchar>(letter));
+    for (std::string_view left = text; !left.empty();) {
+      const Utf8Character letter = firstCharacter(left);
+      left.remove_prefix(letter.length);
+      const ImFontGlyph* glyph = font_->FindGlyph(static_cast<ImWchar>(letter.code));
       if (glyph == nullptr) continue;
       if (glyph->Visible != 0) draw(*glyph, x, y);
       x += glyph->AdvanceX;
@@ -43,14 +45,6 @@ class Pen {
   }
 
  private:
-  /// The first character of UTF-8 text, and how many bytes it takes.
-  static int decoded(const char* from, const char* end, unsigned& letter) {
-    const auto byte = [&](int k) { return from + k < end ? static_cast<unsigned char>(from[k]) : 0U; };
-    if (byte(0) < 0x80) return letter = byte(0), 1;
-    if (byte(0) < 0xE0) return letter = (byte(0) & 0x1FU) << 6U | (byte(1) & 0x3FU), 2;
-    return letter = (byte(0) & 0x0FU) << 12U | (byte(1) & 0x3FU) << 6U | (byte(2) & 0x3FU), 3;
-  }
-
   void draw(const ImFontGlyph& glyph, float x, float y) {
     const int left = int(std::lround(x + glyph.X0)), top = int(std::lround(y + glyph.Y0));
     const int fromX = int(std::lround(glyph.U0 * float(alphaWidth_)));
@@ -83,12 +77,12 @@ class Pen {
 }  // namespace
 
 void writeLegend(Picture& picture, const std::vector<Caption>& lines) {
-  Pen pen(picture);
-  const float size = pen.size(), left = size, stroke = 2 * size;
+  LegendWriter writer(picture);
+  const float size = writer.size(), left = size, stroke = 2 * size;
   float y = size;
   for (const Caption& line : lines) {
-    if (line.stroke) pen.stroke(left, y + 0.45F * size, stroke, line.colour);
-    pen.text(left + (line.stroke ? stroke + 0.6F * size : 0), y, line.text);
+    if (line.stroke) writer.stroke(left, y + 0.45F * size, stroke, line.colour);
+    writer.text(left + (line.stroke ? stroke + 0.6F * size : 0), y, line.text);
     y += 1.5F * size;
   }
 }

@@ -1,4 +1,4 @@
-// Where Linux systems keep DejaVu Sans.
+// Looks for DejaVu Sans where Linux systems keep it.
 #include "ui/fonts.h"
 
 #include <imgui.h>

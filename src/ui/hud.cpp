@@ -1,17 +1,13 @@
-// Layout of the text over the picture. Everything is drawn from a font size and the screen's size, so that it stays
-// readable and uncut at any scale. What stands at the foot of the window is in hud_foot.cpp.
+// The layout of the text over the picture. Everything is drawn from a font size and the screen's size, so that it stays
+// readable and uncut at any scale. The foot of the window is in hud_foot.cpp.
 #include "ui/hud.h"
 
-#include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "tyg/methods.h"
-#include "ui/fonts.h"
 
 namespace tyg {
 
@@ -24,7 +20,7 @@ struct Hud::Column {
 
 namespace {
 
-constexpr float kTextPixels = 18, kLargeRatio = 1.5F, kLineRatio = 1.35F;
+constexpr float kLineRatio = 1.35F;
 /// Sizes of the text from the window's upper edge to the left keys: the title is there.
 constexpr float kAbove = 1 + 1.5F * kLineRatio;
 constexpr float kLeastFit = 0.55F;
@@ -41,10 +37,10 @@ void write(ImFont* font, float size, ImVec2 at, ImU32 colour, std::string_view t
 ImVec2 screenSize() { return ImGui::GetIO().DisplaySize; }
 
 bool isOn(const HelpLine& line, const Viewer& viewer) {
-  const DrawOptions& draw = viewer.drawOptions();
+  const DrawOptions& draw = viewer.view().drawOptions();
   switch (line.action) {
     case InputAction::ChooseMethod:
-      return &methods()[line.method] == &viewer.method();
+      return &methods()[line.method] == &viewer.scenes().method();
     case InputAction::ShowStructural:
       return draw.structural;
     case InputAction::ShowShear:
@@ -64,46 +60,10 @@ bool isOn(const HelpLine& line, const Viewer& viewer) {
 
 }  // namespace
 
-Hud::Hud(Window& window, double uiScale)
-    : window_(window),
-      size_(static_cast<float>(kTextPixels * uiScale * window.contentScale())),
-      help_(helpLines(methodNames())) {
-  IMGUI_CHECKVERSION();
-  ImGui::CreateContext();
-  ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = nullptr;
-  io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
-  font_ = addFont(*io.Fonts, size_);
-  large_ = addFont(*io.Fonts, size_ * kLargeRatio);
-  io.Fonts->Build();  // margin() measures texts before the first frame
-  window_.attachOverlay();
-  ImGui_ImplOpenGL3_Init("#version 330 core");
-}
+Hud::Hud(const TextFonts& fonts) : fonts_(fonts), size_(fonts.size), help_(helpLines(methodNames())) {}
 
-Hud::~Hud() {
-  ImGui_ImplOpenGL3_Shutdown();
-  window_.detachOverlay();
-  ImGui::DestroyContext();
-}
-
-Pen Hud::penFor(const Viewer& viewer) const {
-  return {ImGui::GetBackgroundDrawList(), font_, size_, viewer.drawOptions().background};
-}
-
-bool Hud::handle(const WindowEvent& event, Viewer& viewer) {
-  return buttons_.handle(event, viewer) || timeLine_.handle(event, viewer);
-}
-
-bool Hud::takes(const WindowEvent& event) const {
-  const ImGuiIO& io = ImGui::GetIO();
-  switch (event.kind) {
-    case WindowEvent::Kind::Press:
-      return !isMouse(event.key) && io.WantCaptureKeyboard;  // where the mouse is, the panels know better
-    case WindowEvent::Kind::Scroll:
-      return io.WantCaptureMouse;
-    default:
-      return false;
-  }
+TextWriter Hud::writerFor(const Viewer& viewer) const {
+  return {ImGui::GetBackgroundDrawList(), fonts_.text, size_, viewer.view().drawOptions().background};
 }
 
 Hud::Column Hud::measure(bool choices) const {
@@ -111,8 +71,8 @@ Hud::Column Hud::measure(bool choices) const {
   float help = 0;
   for (const HelpLine& line : help_) {
     if (isChoice(line.action) != choices) continue;
-    column.keys = std::max(column.keys, extentOf(font_, size_, line.keys).x);
-    help = std::max(help, extentOf(font_, size_, line.help).x);
+    column.keys = std::max(column.keys, extentOf(fonts_.text, size_, line.keys).x);
+    help = std::max(help, extentOf(fonts_.text, size_, line.help).x);
     ++column.lines;
   }
   column.keys += size_;
@@ -137,40 +97,35 @@ Hud::Column Hud::columnOf(bool choices, const ImVec2& screen) const {
   return column;
 }
 
-int Hud::margin() const {
-  const Extent pixels = window_.framebuffer();
-  if (pixels.width <= 0 || pixels.height <= 0) return 0;
-  const ImVec2 screen{static_cast<float>(pixels.width), static_cast<float>(pixels.height)};
+int Hud::keysWidth(Extent window) const {
+  if (window.width <= 0 || window.height <= 0) return 0;
+  const ImVec2 screen{static_cast<float>(window.width), static_cast<float>(window.height)};
   return static_cast<int>(std::max(columnOf(false, screen).width, columnOf(true, screen).width) + 2 * size_);
 }
 
-void Hud::draw(Viewer& viewer, Panels& panels) {
-  ImGui_ImplOpenGL3_NewFrame();
-  window_.beginOverlayFrame();
-  const Colours& colours = coloursOn(viewer.drawOptions().background);
-  const Pen pen = penFor(viewer);
-  const std::string_view title = viewer.simulation().scene().title;
-  pen.shade({size_, size_}, {size_ + pen.extent(title).x, 2 * size_});
-  pen.write({size_, size_}, colours.text, title);
+void Hud::draw(const Viewer& viewer, Panels& panels) {
+  const Colours& colours = coloursOn(viewer.view().drawOptions().background);
+  const TextWriter writer = writerFor(viewer);
+  const std::string_view title = viewer.run().simulation().scene().title;
+  writer.shade({size_, size_}, {size_ + writer.extent(title).x, 2 * size_});
+  writer.write({size_, size_}, colours.text, title);
   const float free = drawFoot(viewer, panels);
-  if (viewer.showsHelp()) {
+  if (viewer.view().showsHelp()) {
     for (const bool choices : {false, true}) {
       if (panels.width(choices ? Edge::Right : Edge::Left) == 0) drawKeys(viewer, colours, choices, free);
     }
   } else if (panels.width(Edge::Left) == 0) {
-    write(font_, size_, {size_, size_ * (1 + kLineRatio)}, colours.dim, "H shows the keys");
+    write(fonts_.text, size_, {size_, size_ * (1 + kLineRatio)}, colours.dim, "H shows the keys");
   }
   drawArrow(viewer, colours);
-  panels.draw(viewer);
-  ImGui::Render();
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
 /// As many lines as fit above `free`.
 void Hud::drawKeys(const Viewer& viewer, const Colours& colours, bool choices, float free) const {
   const Column column = columnOf(choices, screenSize());
   const float bottom = column.top + (kLineRatio * float(column.lines) + (choices ? 0.6F : 0)) * column.size;
-  penFor(viewer).shade({column.left, column.top}, {column.left + column.width, std::min(bottom, free - column.size)});
+  writerFor(viewer).shade({column.left, column.top},
+                          {column.left + column.width, std::min(bottom, free - column.size)});
   float y = column.top;
   bool methodLines = choices;
   for (const HelpLine& line : help_) {
@@ -181,15 +136,15 @@ void Hud::drawKeys(const Viewer& viewer, const Colours& colours, bool choices, f
     }
     if (y + kLineRatio * column.size > free) break;
     const bool on = isOn(line, viewer);
-    write(font_, column.size, {column.left, y}, on ? colours.accent : colours.text, line.keys);
-    write(font_, column.size, {column.left + column.keys, y}, on ? colours.accent : colours.dim, line.help);
+    write(fonts_.text, column.size, {column.left, y}, on ? colours.accent : colours.text, line.keys);
+    write(fonts_.text, column.size, {column.left + column.keys, y}, on ? colours.accent : colours.dim, line.help);
     y += kLineRatio * column.size;
   }
 }
 
 void Hud::drawArrow(const Viewer& viewer, const Colours& colours) const {
   const ImVec2 screen = screenSize();
-  const auto arrow = edgeArrow(viewer.camera(), viewer.box(), {screen.x, screen.y}, 2 * size_);
+  const auto arrow = edgeArrow(viewer.view().camera(), viewer.run().shown().box(), {screen.x, screen.y}, 2 * size_);
   if (!arrow) return;
   const glm::vec2 back = arrow->tip - 1.6F * size_ * arrow->direction;
   const glm::vec2 side = 0.8F * size_ * glm::vec2(-arrow->direction.y, arrow->direction.x);
@@ -197,11 +152,11 @@ void Hud::drawArrow(const Viewer& viewer, const Colours& colours) const {
   ImGui::GetBackgroundDrawList()->AddTriangleFilled(point(arrow->tip), point(back - side), point(back + side),
                                                     colours.accent);
   constexpr std::string_view kLabel = "the cloth is there: F finds it";
-  const ImVec2 extent = extentOf(font_, size_, kLabel);
+  const ImVec2 extent = extentOf(fonts_.text, size_, kLabel);
   const glm::vec2 middle = back - arrow->direction * (size_ + 0.5F * extent.x * std::abs(arrow->direction.x));
   const ImVec2 at{std::clamp(middle.x - 0.5F * extent.x, size_, std::max(size_, screen.x - extent.x - size_)),
                   std::clamp(middle.y - 0.5F * size_, size_, std::max(size_, screen.y - 2 * size_))};
-  write(font_, size_, at, colours.accent, kLabel);
+  write(fonts_.text, size_, at, colours.accent, kLabel);
 }
 
 }  // namespace tyg

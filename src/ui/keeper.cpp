@@ -5,12 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "util/file_names.h"
 #include "util/whole_file.h"
 
 namespace tyg {
 namespace {
 
-constexpr std::array<const char*, 4> kEndings{".png", ".toml", ".csv", ".mp4"};
 /// A pause longer than this is not filmed, s: a window that was hidden leaves no standing picture.
 constexpr double kLongestGap = 1;
 
@@ -24,31 +24,26 @@ void cut(const Picture& from, int width, int height, Picture& to) {
   }
 }
 
-}  // namespace
-
-/// The first number that no file has yet.
-std::string Keeper::freeStem(const std::string& sceneName) const {
-  const std::string name = "tyg-" + std::filesystem::path(sceneName).stem().string();
-  for (int number = 1;; ++number) {
-    std::string stem = name + "-" + std::to_string(number);
-    if (std::ranges::none_of(kEndings,
-                             [&](const char* end) { return std::filesystem::exists(folder_ / (stem + end)); }))
-      return stem;
-  }
+/// Pictures, scenes, logs and movies share their numbers, so that what belongs together is called the same.
+std::string freeStemFor(const std::filesystem::path& folder, const std::string& sceneName) {
+  constexpr std::array<std::string_view, 4> kEndings{".png", ".toml", ".csv", ".mp4"};
+  return freeStem(folder, "tyg-" + fileStem(sceneName), kEndings, FirstName::Numbered);
 }
 
-std::string Keeper::keep(const Picture& picture, const PushLog& log) {
-  const std::string stem = freeStem(log.scene);
+}  // namespace
+
+std::string Keeper::keep(const Picture& picture, const EventLog& log) {
+  const std::string stem = freeStemFor(folder_, log.scene);
   writePng(picture, folder_ / (stem + ".png"));
   writeWholeFile(folder_ / (stem + ".toml"), log.sceneText);
-  writeWholeFile(folder_ / (stem + ".csv"), formatPushLog(log));
+  writeWholeFile(folder_ / (stem + ".csv"), formatEventLog(log));
   return stem + ".png is kept; tyg run --replay " + stem + ".csv does this run again.";
 }
 
 void Keeper::beginMovie(const std::string& sceneName, int width, int height) {
   if (!haveFfmpeg()) throw InputError("movies need ffmpeg, which is not installed");
   width_ = width / 2 * 2, height_ = height / 2 * 2;
-  movieName_ = freeStem(sceneName) + ".mp4";
+  movieName_ = freeStemFor(folder_, sceneName) + ".mp4";
   frames_ = 0;
   movie_ = std::make_unique<Movie>(folder_ / movieName_, width_, height_, kFramesPerSecond);
 }

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "gfx/movie.h"
-#include "tyg/push_log.h"
+#include "tyg/event_log.h"
 #include "tyg/scene.h"
 
 namespace tyg {
@@ -21,7 +21,7 @@ class Keeper {
 
   /// Writes the picture, the scene as the run began it, and the run's log, which holds that scene as well. Returns one
   /// sentence that names the files. Throws InputError where they cannot be written.
-  std::string keep(const Picture& picture, const PushLog& log);
+  std::string keep(const Picture& picture, const EventLog& log);
 
   /// Begins a movie of pictures `width` x `height` (odd ones lose a row or column of pixels). Throws InputError where
   /// ffmpeg is missing or the file cannot be written.
@@ -36,8 +36,6 @@ class Keeper {
   [[nodiscard]] const std::string& movieName() const { return movieName_; }           ///< of the last movie begun
 
  private:
-  [[nodiscard]] std::string freeStem(const std::string& sceneName) const;
-
   std::filesystem::path folder_;
   std::unique_ptr<Movie> movie_;
   std::string movieName_;

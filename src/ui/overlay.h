@@ -13,8 +13,8 @@
 
 namespace tyg {
 
-/// What is drawn with and where to.
-struct Pen {
+/// Writes text, and grounds for it, in one font and size.
+struct TextWriter {
   ImDrawList* list;
   ImFont* font;
   float size;  ///< of the text, in ImGui's units
@@ -32,16 +32,16 @@ struct Pen {
 
 /// The step beside its limit, as a bar from 0 to 1.25 of the limit with a tick at the limit and hatching beyond it:
 /// green, amber from 0.9 on, red and hatched from 1 on. Nothing is drawn where there is no limit.
-void drawMarginBar(const Pen& pen, ImVec2 from, ImVec2 to, const Margin& margin);
+void drawMarginBar(const TextWriter& writer, ImVec2 from, ImVec2 to, const Margin& margin);
 /// That bar and what it says in words, `width` wide at most; returns the width used.
-float drawMargin(Pen pen, ImVec2 at, float width, const Margin& margin);
+float drawMargin(TextWriter writer, ImVec2 at, float width, const Margin& margin);
 
 /// The last ten seconds as a line with a handle.
 class TimeLine {
  public:
   /// Between these corners. Draws nothing, and takes no events until it is drawn again, where there is nothing to go
   /// back to.
-  void draw(const Pen& pen, ImVec2 from, ImVec2 to, const Viewer& viewer);
+  void draw(const TextWriter& writer, ImVec2 from, ImVec2 to, const Viewer& viewer);
   void hide() { shown_ = false; }
   /// True where the event was for it: a press on the line, and until the release every movement.
   bool handle(const WindowEvent& event, Viewer& viewer);
@@ -62,19 +62,19 @@ class Buttons {
     InputAction action;
   };
   /// Height of the row within this width, where it may need more than one line.
-  [[nodiscard]] static float height(const Pen& pen, const std::vector<Button>& buttons, float width);
-  [[nodiscard]] static float width(const Pen& pen, const std::vector<Button>& buttons);  ///< in one line
-  void draw(const Pen& pen, ImVec2 at, const std::vector<Button>& buttons, float width);
-  void hide() { places_.clear(); }
+  [[nodiscard]] static float height(const TextWriter& writer, const std::vector<Button>& buttons, float width);
+  [[nodiscard]] static float width(const TextWriter& writer, const std::vector<Button>& buttons);  ///< in one line
+  void draw(const TextWriter& writer, ImVec2 at, const std::vector<Button>& buttons, float width);
+  void hide() { areas_.clear(); }
   /// True where the event was a press on a button, whose action was then performed.
   bool handle(const WindowEvent& event, Viewer& viewer);
 
  private:
-  struct Place {
+  struct Area {
     ImVec2 from, to;
     InputAction action;
   };
-  std::vector<Place> places_;
+  std::vector<Area> areas_;
 };
 
 }  // namespace tyg

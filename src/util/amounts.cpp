@@ -1,13 +1,14 @@
-// Units.
+// Numbers are read by from_chars and written by fmt: neither depends on the locale.
 #include "util/amounts.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <span>
 #include <string_view>
+
+#include <fmt/core.h>
 
 #include "tyg/input_error.h"
 
@@ -32,14 +33,10 @@ double parsed(const std::string& option, const std::string& text, std::span<cons
   return number * found->worth;
 }
 
-std::string text(const char* format, double number) {
-  std::array<char, 40> digits{};
-  std::snprintf(digits.data(), digits.size(), format, number);
-  return digits.data();
-}
-
 /// Three significant digits without an exponent where that is short.
-std::string three(double number) { return text(std::abs(number) >= 1000 ? "%.0f" : "%.3g", number); }
+std::string three(double number) {
+  return std::abs(number) >= 1000 ? fmt::format("{:.0f}", number) : fmt::format("{:.3g}", number);
+}
 
 }  // namespace
 

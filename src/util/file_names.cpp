@@ -1,8 +1,11 @@
-// See file_names.h.
+// Names are tried in order; a name is taken where there is anything, even a link that leads nowhere.
 #include "util/file_names.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+
+#include <fmt/core.h>
 
 namespace tyg {
 
@@ -14,14 +17,22 @@ std::string endingOf(const std::filesystem::path& path) {
   return ending;
 }
 
+std::string freeStem(const std::filesystem::path& folder, const std::string& stem,
+                     std::span<const std::string_view> endings, FirstName first) {
+  const auto isTaken = [&](const std::string& name) {
+    return std::ranges::any_of(endings, [&](std::string_view ending) {
+      return std::filesystem::exists(std::filesystem::symlink_status(folder / fmt::format("{}{}", name, ending)));
+    });
+  };
+  std::string name = first == FirstName::Plain ? stem : stem + "-1";
+  for (int number = 2; isTaken(name); ++number) name = fmt::format("{}-{}", stem, number);
+  return name;
+}
+
 std::filesystem::path freeName(const std::filesystem::path& folder, const std::string& stem,
                                const std::string& ending) {
-  std::filesystem::path name = folder / (stem + ending);
-  for (int number = 2; std::filesystem::exists(std::filesystem::symlink_status(name)); ++number) {
-    std::string numbered = stem;
-    name = folder / numbered.append("-").append(std::to_string(number)).append(ending);
-  }
-  return name;
+  const std::array<std::string_view, 1> endings{ending};
+  return folder / (freeStem(folder, stem, endings, FirstName::Plain) + ending);
 }
 
 }  // namespace tyg

@@ -4,6 +4,8 @@
 #include <fstream>
 #include <thread>
 
+#include <fmt/core.h>
+
 namespace tyg {
 
 std::string machineName() {
@@ -17,7 +19,7 @@ std::string machineName() {
     }
   }
   const unsigned cores = std::thread::hardware_concurrency();
-  return cores == 0 ? name : name + " (" + std::to_string(cores) + (cores == 1 ? " core)" : " cores)");
+  return cores == 0 ? name : fmt::format("{} ({} core{})", name, cores, cores == 1 ? "" : "s");
 }
 
 }  // namespace tyg

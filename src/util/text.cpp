@@ -1,4 +1,4 @@
-// See text.h.
+// Numbers by to_chars, which does not depend on the locale.
 #include "util/text.h"
 
 #include <array>

@@ -1,4 +1,4 @@
-// Numbers into text, as printf writes them, and words into a list.
+// Numbers for files, and words in a list.
 // Must not know: what is written.
 #pragma once
 

@@ -1,16 +1,17 @@
-// Files that are written whole or not at all: a temporary file in the same folder, renamed when it is complete.
-// Must not know: what the bytes mean.
+// Writing goes to a temporary file in the same folder, which is renamed when it is complete.
 #include "util/whole_file.h"
 
 #include <cerrno>
 #include <cstdint>
 #include <fstream>
 #include <random>
-#include <string>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
 #include <unistd.h>
+
+#include <fmt/core.h>
 
 #include "tyg/input_error.h"
 
@@ -68,6 +69,20 @@ void createAndRemove(const fs::path& path, const fs::path& temporary) {
 }
 
 }  // namespace
+
+std::string readWholeFile(const fs::path& path, const std::string& cannot, const std::string& allowed) {
+  const auto refuse = [&](const std::string& found) {
+    throw InputError(fmt::format("{} '{}': {}; allowed: {}", cannot, path.string(), found, allowed));
+  };
+  std::error_code error;
+  if (fs::is_directory(path, error)) refuse("it is a folder");
+  std::ifstream in(path, std::ios::binary);
+  if (!in) refuse(lastSystemError());
+  std::ostringstream text;
+  if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();  // nothing to copy would count as a failure
+  if (in.bad() || !text) refuse("reading failed");
+  return text.str();
+}
 
 void writeWholeFile(const fs::path& path, std::string_view bytes) {
   WholeFile file(path);

@@ -1,10 +1,16 @@
-// Files that are written whole or not at all.
+// Files that are read as a whole, and files that are written whole or not at all.
+// Must not know: what the bytes mean.
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace tyg {
+
+/// All bytes of a file. Throws InputError: `cannot` ("cannot read the scene"), the path, the reason, and what is
+/// `allowed`.
+std::string readWholeFile(const std::filesystem::path& path, const std::string& cannot, const std::string& allowed);
 
 /// Writes `bytes` to a temporary file beside `path` and renames it. Throws InputError where that cannot be done;
 /// whatever was at `path` before is then still there.

@@ -1,4 +1,4 @@
-// The box around a cloth; see box.h.
+// Coordinates too large to be squared are left out like those that are not finite.
 #include "view/box.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// How the camera moves and what it sees; see camera.h.
+// Every position passes finiteOr and every angle a check before it is kept, so that the camera stays finite.
 #include "view/camera.h"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ void Camera::frame(const Box& cloth, float aspect, float aside) {
   frame(std::span<const glm::vec3>(corners), aspect, aside);
 }
 
-/// Of a line of sight through a place so many heights of the picture to the right of its middle; 0 where they are not
+/// Of a line of sight through a point so many heights of the picture to the right of its middle; 0 where they are not
 /// finite.
 float Camera::slopeOf(float heights) const {
   return std::isfinite(heights) ? 2 * std::tan(fieldOfView_ / 2) * heights : 0;
@@ -79,7 +79,7 @@ void Camera::frame(std::span<const glm::vec3> points, float aspect, float aside)
   if (!finite(x.eyeAcross(), y.eyeAcross())) {
     return;
   }
-  // A cloth without extent still gets some room.
+  // A cloth without extent still gets some space around it.
   const float back = std::min(x.eyeDepth(slopeX), y.eyeDepth(slopeY)) - 0.05F * cloth_.size();
   const float across = x.eyeAcross() + slant * back;
   eye_ = finiteOr(across * right() + y.eyeAcross() * up() + back * forward(), eye_);
@@ -88,7 +88,7 @@ void Camera::frame(std::span<const glm::vec3> points, float aspect, float aside)
 }
 
 void Camera::centre(std::span<const glm::vec3> points, float slant) {
-  // The axis that did not decide the distance has room to spare; a few rounds share it out evenly on both sides.
+  // The axis that did not decide the distance has space to spare; a few rounds share it out evenly on both sides.
   for (int round = 0; round < 6; ++round) {
     glm::vec2 low(1e9F), high(-1e9F);
     for (const glm::vec3& p : points) {

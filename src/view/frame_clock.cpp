@@ -1,4 +1,4 @@
-// The accumulator with a cap; see frame_clock.h.
+// Time that is owed adds up from frame to frame, up to a limit, and is paid in whole ticks.
 #include "view/frame_clock.h"
 
 #include <algorithm>

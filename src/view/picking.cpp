@@ -1,4 +1,4 @@
-// Finding the particle under a cursor; see picking.h. One pass over the sheet, one row kept back.
+// One pass over the sheet in window coordinates, which keeps one row back to make the cells between two rows.
 #include "view/picking.h"
 
 #include <cmath>
@@ -65,7 +65,7 @@ class Picker {
     }
   }
 
-  /// The cell between four particles, in the order of a walk around it.
+  /// The cell between four particles, in order around it.
   void offerCell(const std::array<Seen, 4>& corners, const std::array<int, 4>& particles) {
     const float depth =
         std::min(depthAt(corners[0], corners[1], corners[2]), depthAt(corners[0], corners[2], corners[3]));

@@ -1,4 +1,4 @@
-// A sheet as lines; see sheet_lines.h.
+// Lines straight from the springs of a sheet; the arrow is a shaft and a cone of four edges and a rim.
 #include "view/sheet_lines.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Walks the springs of a family without listing them.
+// Goes through the springs of a family row by row without a list of them.
 #include "view/stretch.h"
 
 #include <algorithm>

@@ -1,27 +1,28 @@
 // The sentences.
 #include "viewer/chart_advice.h"
 
+#include <fmt/core.h>
+
 #include "tyg/methods.h"
-#include "util/text.h"
 
 namespace tyg {
 namespace {
 
 /// `1.4`, `23`, `120000` times.
-std::string timesText(double ratio) { return formatted(ratio < 10 ? "%.1f times" : "%.0f times", ratio); }
+std::string timesText(double ratio) { return fmt::format("{:.{}f} times", ratio, ratio < 10 ? 1 : 0); }
 
 std::string named(const Setting& setting) { return std::string(setting.method->name) + ", " + textOf(setting); }
 
-std::string presentSentence(const SettingPlace& place, const Setting& setting, const ChartScale& scale) {
+std::string presentSentence(const SettingEstimate& place, const Setting& setting, const ChartScale& scale) {
   switch (place.kind) {
-    case SettingPlace::Kind::Unknown:
+    case SettingEstimate::Kind::Unknown:
       return named(setting) + ": not measured yet.";
-    case SettingPlace::Kind::Fails:
+    case SettingEstimate::Kind::Fails:
       return named(setting) + ": fails in this scene.";
     default:
       break;
   }
-  const bool measured = place.kind == SettingPlace::Kind::Measured;
+  const bool measured = place.kind == SettingEstimate::Kind::Measured;
   return named(setting) + (measured ? ": error " : ": error about ") + errorText(place.error, scale) + " for " +
          costText(place.seconds, scale) + ".";
 }
@@ -29,32 +30,32 @@ std::string presentSentence(const SettingPlace& place, const Setting& setting, c
 }  // namespace
 
 std::string textOf(const Setting& setting) {
-  return setting.method->adaptive ? formatted("tolerance %.3g mm", 1e3 * setting.tolerance)
-                                  : formatted("step %.3g ms", 1e3 * setting.dt);
+  return setting.method->adaptive ? fmt::format("tolerance {:.3g} mm", 1e3 * setting.tolerance)
+                                  : fmt::format("step {:.3g} ms", 1e3 * setting.dt);
 }
 
 Setting settingOf(const WorkRow& row) { return {&findMethod(row.integrator), row.dt, row.tolerance, WorkRow::kNone}; }
 
 std::string errorText(double error, const ChartScale& scale) {
-  return formatted("%.3g mm (%.1e of the size)", 1e3 * error, error / scale.size);
+  return fmt::format("{:.3g} mm ({:.1e} of the size)", 1e3 * error, error / scale.size);
 }
 
 std::string costText(double seconds, const ChartScale& scale) {
-  return formatted("%.3g ms per simulated second", scale.cost(seconds));
+  return fmt::format("{:.3g} ms per simulated second", scale.cost(seconds));
 }
 
 ChartAdvice adviceOn(const std::vector<WorkRow>& rows, const Setting& present, const ChartScale& scale) {
-  const SettingPlace place = placeOf(rows, present);
+  const SettingEstimate place = estimateOf(rows, present);
   ChartAdvice advice{.present = presentSentence(place, present, scale), .better = {}};
   const BetterRows better = betterThan(rows, place);
   if (better.cheaper != nullptr) {
     advice.better += "Cheaper, and no farther off: " + named(settingOf(*better.cheaper)) +
-                     formatted(", at %.3g ms, ", scale.cost(better.cheaper->seconds)) +
+                     fmt::format(", at {:.3g} ms, ", scale.cost(better.cheaper->seconds)) +
                      timesText(place.seconds / better.cheaper->seconds) + " cheaper. ";
   }
   if (better.closer != nullptr) {
     advice.better += "Closer, and no dearer: " + named(settingOf(*better.closer)) +
-                     formatted(", error %.3g mm, ", 1e3 * better.closer->rmsError) +
+                     fmt::format(", error {:.3g} mm, ", 1e3 * better.closer->rmsError) +
                      timesText(place.error / better.closer->rmsError) + " smaller.";
   }
   return advice;

@@ -1,12 +1,13 @@
-// See cure.h.
+// Builds the sentences, and tries the methods in the order of their table against their limits at rest.
 #include "viewer/cure.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "study/limits/stability.h"
 #include "tyg/methods.h"
-#include "util/text.h"
 
 namespace tyg {
 namespace {
@@ -18,26 +19,27 @@ std::string name(const Method& method) { return std::string(method.name); }
 bool chooses(const Simulation& simulation) { return simulation.method().adaptive && simulation.scene().tolerance > 0; }
 
 std::string whatBroke(const Simulation& simulation) {
-  const std::string with = chooses(simulation) ? formatted("a tolerance of %.4g mm", 1e3 * simulation.scene().tolerance)
-                                               : formatted("a step of %.4g ms", 1e3 * simulation.dt());
+  const std::string with = chooses(simulation)
+                               ? fmt::format("a tolerance of {:.4g} mm", 1e3 * simulation.scene().tolerance)
+                               : fmt::format("a step of {:.4g} ms", 1e3 * simulation.dt());
   const bool finite = simulation.status() == Status::Unstable;
   return name(simulation.method()) + " with " + with +
          (finite ? " became unstable" : " left the numbers that can be computed with") +
-         formatted(" at %.3f s", simulation.alarmTime());
+         fmt::format(" at {:.3f} s", simulation.alarmTime());
 }
 
 std::string cause(const Simulation& simulation, double limit) {
   if (chooses(simulation) || !std::isfinite(limit)) return "";
   if (limit == 0) return ": no step holds with so little damping";
-  if (limit <= simulation.dt()) return formatted(": its limit is %.3g ms", 1e3 * limit);
-  return formatted(": it kept its limit of %.3g ms at rest, but this cloth is far from rest", 1e3 * limit);
+  if (limit <= simulation.dt()) return fmt::format(": its limit is {:.3g} ms", 1e3 * limit);
+  return fmt::format(": it kept its limit of {:.3g} ms at rest, but this cloth is far from rest", 1e3 * limit);
 }
 
 std::string waysOut(const Simulation& simulation, const Cure& cure) {
   const std::string other = cure.method != nullptr ? name(*cure.method) : "";
   const std::string holds = other.empty() ? "" : other + ", which holds with this step";
   if (cure.step > 0) {
-    return formatted("; take a step of %.3g ms", 1e3 * cure.step) + (holds.empty() ? "" : ", or " + holds) + ".";
+    return fmt::format("; take a step of {:.3g} ms", 1e3 * cure.step) + (holds.empty() ? "" : ", or " + holds) + ".";
   }
   if (!holds.empty()) return "; take " + holds + ".";
   return chooses(simulation) ? "; take a smaller tolerance." : ".";
@@ -80,10 +82,12 @@ std::string describeFailure(const Simulation& simulation, double limit, const Cu
 std::string describeStall(const Simulation& simulation, double seconds, const Cure& cure) {
   const std::string holds =
       cure.method != nullptr ? "; take " + name(*cure.method) + ", which holds with this step." : ".";
-  return name(simulation.method()) +
-         formatted(" came to a stand at %.3f s: in %.3g s of computing, ", simulation.time(), seconds) +
-         formatted("the steps that its tolerance of %.4g mm asks for ", 1e3 * simulation.scene().tolerance) +
-         formatted("did not reach the end of a tick of %.4g ms", 1e3 * simulation.dt()) + holds;
+  return fmt::format(
+      "{} came to a stand at {:.3f} s: in {:.3g} s of computing, the steps that its tolerance of {:.4g} mm asks for "
+      "did "
+      "not reach the end of a tick of {:.4g} ms{}",
+      simulation.method().name, simulation.time(), seconds, 1e3 * simulation.scene().tolerance, 1e3 * simulation.dt(),
+      holds);
 }
 
 }  // namespace tyg

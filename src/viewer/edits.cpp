@@ -8,25 +8,27 @@
 namespace tyg {
 
 void Edits::follow(const Viewer& viewer) {
-  if (viewer.seeking() || viewer.timeline().past || viewer.keyHeld()) return;  // in the past: it was set then, not now
-  originals_.try_emplace(viewer.scene().name, viewer.scene());
+  if (viewer.run().seeking() || viewer.run().timeline().past || viewer.keyHeld())
+    return;  // in the past: it was set then, not now
+  originals_.try_emplace(viewer.scenes().scene().name, viewer.scenes().scene());
   const Setup& known = versions_.present();  // compared where it is: a frame copies no scene
-  if (known.scene != viewer.scene() || known.pushFactor != viewer.pushFactor()) versions_.note(setupOf(viewer));
+  if (known.scene != viewer.scenes().scene() || known.pushFactor != viewer.tools().strength())
+    versions_.note(setupOf(viewer));
 }
 
 const Scene& Edits::original(const Viewer& viewer) const {
-  const auto found = originals_.find(viewer.scene().name);
-  return found == originals_.end() ? viewer.scene() : found->second;
+  const auto found = originals_.find(viewer.scenes().scene().name);
+  return found == originals_.end() ? viewer.scenes().scene() : found->second;
 }
 
 void Edits::apply(const Setup& setup, Viewer& viewer) {
-  viewer.use(setup.scene);
-  viewer.setPushFactor(setup.pushFactor);
+  viewer.scenes().use(setup.scene);
+  viewer.tools().setStrength(setup.pushFactor);
 }
 
 std::filesystem::path saveScene(const Viewer& viewer) {
-  std::filesystem::path path = freeName("", fileStem(viewer.scene().name), ".toml");
-  writeWholeFile(path, sceneToToml(viewer.scene()));
+  std::filesystem::path path = freeName("", fileStem(viewer.scenes().scene().name), ".toml");
+  writeWholeFile(path, sceneToToml(viewer.scenes().scene()));
   return path;
 }
 

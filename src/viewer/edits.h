@@ -28,10 +28,10 @@ class Edits {
   [[nodiscard]] bool canUndo() const { return versions_.canUndo(); }
   [[nodiscard]] bool canRedo() const { return versions_.canRedo(); }
   void undo(Viewer& viewer) {
-    if (!viewer.seeking()) apply(versions_.undo(), viewer);
+    if (!viewer.run().seeking()) apply(versions_.undo(), viewer);
   }
   void redo(Viewer& viewer) {
-    if (!viewer.seeking()) apply(versions_.redo(), viewer);
+    if (!viewer.run().seeking()) apply(versions_.redo(), viewer);
   }
   /// The scene as it was when the window first had it.
   [[nodiscard]] const Scene& original(const Viewer& viewer) const;
@@ -39,7 +39,7 @@ class Edits {
   void reset(Viewer& viewer) const { apply({original(viewer)}, viewer); }
 
  private:
-  static Setup setupOf(const Viewer& viewer) { return {viewer.scene(), viewer.pushFactor()}; }
+  static Setup setupOf(const Viewer& viewer) { return {viewer.scenes().scene(), viewer.tools().strength()}; }
   static void apply(const Setup& setup, Viewer& viewer);
 
   UndoStack<Setup> versions_;

@@ -67,14 +67,14 @@ std::int64_t Ghost::forceEvaluations() const { return main_->forceEvaluations() 
 
 /// The live log grows at its end only, unless the live simulation went back in time: then it is shorter than before.
 bool Ghost::hasStrayed(const Simulation& live) const {
-  const std::vector<LogEvent>& events = live.log().events;
+  const std::vector<Event>& events = live.log().events;
   if (goal_ < main_->ticks() || events.size() < played_.size()) return true;
   return !played_.empty() && !(events[played_.size() - 1] == played_.back());
 }
 
 /// To the last checkpoint that is part of the live one's past.
 void Ghost::goBack(const Simulation& live) {
-  const std::vector<LogEvent>& events = live.log().events;
+  const std::vector<Event>& events = live.log().events;
   const auto same = static_cast<std::size_t>(std::ranges::mismatch(events, played_).in2 - played_.begin());
   while (checkpoints_.back().tick > goal_ || checkpoints_.back().events > same) checkpoints_.pop_back();
   const Checkpoint& checkpoint = checkpoints_.back();  // the first one is the start, which fits always
@@ -103,12 +103,13 @@ void Ghost::keepCheckpoint() {
 
 /// Some ticks, no farther than to the next thing that happened to the live cloth.
 void Ghost::stride(const Simulation& live) {
-  const std::vector<LogEvent>& events = live.log().events;
+  const std::vector<Event>& events = live.log().events;
   while (played_.size() < events.size() && events[played_.size()].tick <= main_->ticks()) {
-    const LogEvent& event = events[played_.size()];
+    const Event& event = events[played_.size()];
     // The reference keeps its own tolerance, either ghost its method.
-    const bool own = event.kind == LogEvent::Kind::Method || (isReference() && event.kind == LogEvent::Kind::Tolerance);
-    if (!own) {
+    const auto* world = std::get_if<WorldEvent>(&event.action);
+    const bool ownTolerance = isReference() && world != nullptr && world->parameter == "run.tolerance";
+    if (!ownTolerance && !std::holds_alternative<MethodEvent>(event.action)) {
       main_->apply(event, methods());
       twin_->apply(event, methods());
     }

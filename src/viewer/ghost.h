@@ -102,7 +102,7 @@ class Ghost {
   const Method *second_, *method_;
   Scene liveScene_, scene_;  ///< as the live one was begun; as the ghost runs it
   std::optional<Simulation> main_, twin_;
-  std::vector<LogEvent> played_;  ///< of the live log
+  std::vector<Event> played_;  ///< of the live log
   std::vector<Checkpoint> checkpoints_;
   std::int64_t ticksBetweenCheckpoints_ = 0;
   double behind_ = 0;

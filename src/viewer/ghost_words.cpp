@@ -1,8 +1,9 @@
 // The sentences.
 #include "viewer/ghost_words.h"
 
+#include <fmt/core.h>
+
 #include "util/amounts.h"
-#include "util/text.h"
 
 namespace tyg {
 namespace {
@@ -22,7 +23,7 @@ Sentence distanceWords(const Ghost& ghost) {
   const std::optional<GhostGap>& gap = ghost.gap();
   if (!gap) return {"distance: they have not met yet"};
   if (ghost.behind() <= kNearlyInStep) return {"distance: " + distanceText(*gap)};
-  return {formatted("distance at %.2f s: ", gap->time) + distanceText(*gap)};
+  return {fmt::format("distance at {:.2f} s: ", gap->time) + distanceText(*gap)};
 }
 
 Sentence meaningWords(const Ghost& ghost) {
@@ -31,15 +32,15 @@ Sentence meaningWords(const Ghost& ghost) {
   const std::string floor = lengthText(gap->floor);
   if (ghost.horizon() == 0) {
     const double since = ghost.comparedSince();
-    return {(since > 0 ? formatted("Since they first met, at %.2f s, the distance", since) : "The distance") +
+    return {(since > 0 ? fmt::format("Since they first met, at {:.2f} s, the distance", since) : "The distance") +
                 " never was clearly more than what this cloth makes of rounding and of the smallest differences (" +
                 floor + " by now): it means nothing.",
             Tone::Warning};
   }
   if (ghost.horizon() <= gap->time) {
-    return {formatted("The horizon passed at %.2f s: since then the cloth has made so much of rounding and of the "
-                      "smallest differences (",
-                      ghost.horizon()) +
+    return {fmt::format("The horizon passed at {:.2f} s: since then the cloth has made so much of rounding and of the "
+                        "smallest differences (",
+                        ghost.horizon()) +
                 floor + ") that the distance means nothing any more.",
             Tone::Warning};
   }
@@ -49,19 +50,22 @@ Sentence meaningWords(const Ghost& ghost) {
 
 Sentence progressWords(const Ghost& ghost) {
   if (ghost.status() != Status::Ok) {
-    return {formatted("The ghost's method failed at %.3f s.", ghost.time()), Tone::Warning};
+    return {fmt::format("The ghost's method failed at {:.3f} s.", ghost.time()), Tone::Warning};
   }
   if (ghost.stalled()) {
-    return {formatted("The ghost came to a stand at %.3f s: its steps became too many.", ghost.time()), Tone::Warning};
+    return {fmt::format("The ghost came to a stand at {:.3f} s: its steps became too many.", ghost.time()),
+            Tone::Warning};
   }
   if (ghost.behind() <= kNearlyInStep) return {};
   if (!ghost.losing()) {
-    return {formatted("The ghost is catching up: at %.2f s of %.2f s.", ghost.time(), ghost.time() + ghost.behind())};
+    return {
+        fmt::format("The ghost is catching up: at {:.2f} s of {:.2f} s.", ghost.time(), ghost.time() + ghost.behind())};
   }
-  return {formatted("The ghost is %.2f s behind: this machine cannot compute both in time. A pause or slow motion (;) "
-                    "lets it catch up.",
-                    ghost.behind()),
-          Tone::Warning};
+  return {
+      fmt::format("The ghost is {:.2f} s behind: this machine cannot compute both in time. A pause or slow motion (;) "
+                  "lets it catch up.",
+                  ghost.behind()),
+      Tone::Warning};
 }
 
 }  // namespace tyg

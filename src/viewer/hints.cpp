@@ -56,8 +56,8 @@ std::string_view Hints::show(double now) {
   return {};
 }
 
-void Hints::did(Deed deed) {
-  if (!seen_[static_cast<std::size_t>(deed)]) seen(static_cast<std::size_t>(deed));
+void Hints::did(Topic topic) {
+  if (!seen_[static_cast<std::size_t>(topic)]) seen(static_cast<std::size_t>(topic));
 }
 
 void Hints::seen(std::size_t hint) {

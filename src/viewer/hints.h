@@ -14,7 +14,7 @@ std::optional<std::filesystem::path> hintsFile();
 
 class Hints {
  public:
-  enum class Deed { Poke, Chart, Ghost };
+  enum class Topic { Poke, Chart, Ghost };
   static constexpr double kSeconds = 20;  ///< that a hint stays when nobody follows it
 
   /// Hints that `file` says were seen are not shown. Nothing: none at all. A file that cannot be read or written costs
@@ -23,8 +23,8 @@ class Hints {
 
   /// The hint to show, empty where there is none. `now`, s, of any clock: from its first showing on a hint ages.
   std::string_view show(double now);
-  /// The person has done it: no need for its hint.
-  void did(Deed deed);
+  /// The person has done what a hint is about, which then is not needed.
+  void did(Topic topic);
 
  private:
   static constexpr std::size_t kCount = 3;

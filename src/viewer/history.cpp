@@ -1,4 +1,4 @@
-// See history.h.
+// A copy of the simulation is kept every quarter of a second; between two copies the ticks are computed again.
 #include "viewer/history.h"
 
 #include <algorithm>
@@ -29,8 +29,8 @@ void History::follow(const Simulation& simulation) {
   while (copies_[1].time() <= now - kSeconds) copies_.pop_front();
 }
 
-/// Pushes and changes that were made before the tick that comes next and are not yet done again.
-void History::repeatDeeds(Simulation& simulation) const {
+/// Lets the events before the next tick happen again that have not yet done so.
+void History::repeatEvents(Simulation& simulation) const {
   for (std::size_t next = simulation.log().events.size();
        next < whole_.events.size() && whole_.events[next].tick <= simulation.ticks(); ++next) {
     simulation.apply(whole_.events[next], methods());
@@ -40,7 +40,7 @@ void History::repeatDeeds(Simulation& simulation) const {
 void History::tick(Simulation& simulation, std::int64_t count) {
   const std::int64_t end = simulation.ticks() + count;
   while (past_ && simulation.ticks() < end) {
-    repeatDeeds(simulation);
+    repeatEvents(simulation);
     std::int64_t stop = std::min(end, newest_.ticks);
     const std::size_t next = simulation.log().events.size();
     if (next < whole_.events.size()) stop = std::min(stop, whole_.events[next].tick);
@@ -57,7 +57,7 @@ void History::tick(Simulation& simulation, std::int64_t count) {
 /// At the newest moment everything is again as it was left.
 void History::arrive(Simulation& simulation) {
   if (simulation.ticks() < newest_.ticks) return;
-  repeatDeeds(simulation);
+  repeatEvents(simulation);
   cut(simulation);
 }
 
@@ -94,10 +94,10 @@ std::int64_t History::tickAt(double time, const Simulation& simulation) const {
   return before.ticks() + std::llround(share * double(after.ticks - before.ticks()));
 }
 
-PushLog History::record(const Simulation& simulation) const { return past_ ? whole_ : recordTo(simulation); }
+EventLog History::record(const Simulation& simulation) const { return past_ ? whole_ : recordTo(simulation); }
 
-PushLog History::recordTo(const Simulation& simulation) {
-  PushLog log = simulation.log();
+EventLog History::recordTo(const Simulation& simulation) {
+  EventLog log = simulation.log();
   log.ticks = simulation.ticks();
   log.hash = hashText(simulation);
   return log;

@@ -43,21 +43,21 @@ class History {
   /// The tick that begins nearest to a time (s), as far as steps were equal between two copies.
   [[nodiscard]] std::int64_t tickAt(double time, const Simulation& simulation) const;
   /// The log up to the newest moment, with its length and the hash there.
-  [[nodiscard]] PushLog record(const Simulation& simulation) const;
+  [[nodiscard]] EventLog record(const Simulation& simulation) const;
   /// The log up to the present moment, likewise.
-  [[nodiscard]] static PushLog recordTo(const Simulation& simulation);
+  [[nodiscard]] static EventLog recordTo(const Simulation& simulation);
   [[nodiscard]] std::size_t bytes() const;  ///< of all copies
 
  private:
   void follow(const Simulation& simulation);
-  void repeatDeeds(Simulation& simulation) const;
+  void repeatEvents(Simulation& simulation) const;
   void arrive(Simulation& simulation);
 
   std::size_t mostBytes_;
   std::deque<Snapshot> copies_;  ///< oldest first, never empty once begun
   bool past_ = false;
-  PushLog whole_;  ///< while past: record() of the newest moment
-  Moment newest_;  ///< while past
+  EventLog whole_;  ///< while past: record() of the newest moment
+  Moment newest_;   ///< while past
   std::int64_t target_ = 0;
 };
 

@@ -17,8 +17,8 @@ constexpr std::array kInputs{
     Input{'\'', Faster, "'", "slower, faster"},
     Input{'J', Again, "J", "again, slowly"},
     Input{'R', Restart, "R", "restart"},
-    Input{kLeftButton, Poke, "left click", "push, or hold"},
-    Input{kRightButton, Look, "right drag", "look around"},
+    Input{kLeftButton, UseTool, "left click", "push, or hold"},
+    Input{kRightButton, LookAround, "right drag", "look around"},
     Input{kWheel, Approach, "wheel", "nearer, farther"},
     Input{'W', MoveForward, "W", "move"},
     Input{'A', MoveLeft, "A", "move"},
@@ -73,7 +73,7 @@ const Input* findInput(KeyCode key) {
   return found == kInputs.end() ? nullptr : found;
 }
 
-std::size_t methodPlace(KeyCode key) {
+std::size_t methodSlot(KeyCode key) {
   constexpr std::string_view kRow = "1234567890-";  // as on the keyboard
   return kRow.find(key);
 }
@@ -83,7 +83,7 @@ std::vector<HelpLine> helpLines(std::span<const std::string_view> methods) {
   for (const Input& input : inputTable()) {
     if (input.help.empty()) continue;
     if (input.action == ChooseMethod) {
-      const std::size_t place = methodPlace(input.key);
+      const std::size_t place = methodSlot(input.key);
       if (place >= methods.size()) continue;
       lines.push_back({std::string(input.keyName), std::string(methods[place]), input.action, place});
     } else if (!lines.empty() && lines.back().help == input.help) {

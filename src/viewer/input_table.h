@@ -15,7 +15,7 @@ namespace tyg {
 // clang-format off
 enum class InputAction {
   StartOrPause, StepBack, Step, Slower, Faster, Again, Restart,
-  Poke, Look, Approach,
+  UseTool, LookAround, Approach,
   MoveForward, MoveLeft, MoveBack, MoveRight, MoveDown, MoveUp, FrameCloth,
   SmallerStep, LargerStep, SafeStep, HoldingMethod, RunOn,
   OpenControl, OpenGallery, OpenChart, OpenGhost, OpenStretch, OpenEnergy, OpenTraces,
@@ -39,14 +39,14 @@ struct Input {
 std::span<const Input> inputTable();
 /// Null for a key that does nothing.
 const Input* findInput(KeyCode key);
-/// The method that a number key chooses, as its place in methods(): 1 the first, 0 the tenth, - the eleventh.
-std::size_t methodPlace(KeyCode key);
+/// The method that a number key chooses, as its slot in methods(): 1 the first, 0 the tenth, - the eleventh.
+std::size_t methodSlot(KeyCode key);
 
 /// A line of the help on screen.
 struct HelpLine {
   std::string keys, help;
   InputAction action;
-  std::size_t method = 0;  ///< with ChooseMethod: its place in `methods`
+  std::size_t method = 0;  ///< with ChooseMethod: its slot in `methods`
 };
 /// The help, with one line for each of these methods that has a number key.
 std::vector<HelpLine> helpLines(std::span<const std::string_view> methods);

@@ -1,10 +1,12 @@
-// See margin.h.
+// The limit at rest is worked out where the method or the springs change, the live one measured now and then.
 #include "viewer/margin.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "core/simulation/live_parameters.h"
 #include "study/limits/stability.h"
 #include "tyg/methods.h"
 
@@ -13,7 +15,7 @@ namespace {
 
 constexpr double kMostShare = 0.05;  // of the time, for the live limit
 constexpr double kStretched = 0.99;  // of the limit at rest: below that the cloth's stretch is told
-constexpr double kSmoothing = 0.1;   // of the cost, from look to look
+constexpr double kSmoothing = 0.1;   // of the cost, from one measurement to the next
 
 }  // namespace
 
@@ -24,27 +26,28 @@ MarginBand Margin::band() const {
 }
 
 void describe(const Margin& margin, MarginText& text) {
-  const auto say = [&text](const char* format, auto... values) {
-    std::snprintf(text.data(), text.size(), format, values...);
+  const auto say = [&text]<class... Values>(fmt::format_string<Values...> format, Values&&... values) {
+    *fmt::format_to_n(text.data(), text.size() - 1, format, std::forward<Values>(values)...).out = '\0';
   };
-  if (margin.adaptive && !std::isfinite(margin.limit)) return say("%s", "chooses its own steps");
+  if (margin.adaptive && !std::isfinite(margin.limit)) return say("chooses its own steps");
   // Measured: 0.5 to 1.8 % above the limit of fixed steps, wherever the tolerance holds.
-  if (margin.adaptive) return say("chooses its own steps: on average about %.3g ms at most", 1e3 * margin.limit);
-  if (!std::isfinite(margin.limit)) return say("%s", "no step is too large for it");
-  if (margin.limit == 0) return say("%s", "no step holds: it needs damping");
-  const bool stretched = margin.limit < kStretched * margin.rest;
+  if (margin.adaptive) return say("chooses its own steps: on average about {:.3g} ms at most", 1e3 * margin.limit);
+  if (!std::isfinite(margin.limit)) return say("no step is too large for it");
+  if (margin.limit == 0) return say("no step holds: it needs damping");
   std::array<char, 32> rest{};
-  if (stretched) std::snprintf(rest.data(), rest.size(), " (%.3g ms at rest)", 1e3 * margin.rest);
+  if (margin.limit < kStretched * margin.rest) {
+    fmt::format_to_n(rest.data(), rest.size() - 1, " ({:.3g} ms at rest)", 1e3 * margin.rest);
+  }
   constexpr std::array kWarnings{"", "", ": close, a little more breaks it", ": PAST IT, the cloth will break"};
-  say("%.2f of the limit of %.3g ms%s%s", margin.share(), 1e3 * margin.limit, rest.data(),
+  say("{:.2f} of the limit of {:.3g} ms{}{}", margin.share(), 1e3 * margin.limit, rest.data(),
       kWarnings.at(static_cast<std::size_t>(margin.band())));
 }
 
 void MarginWatch::follow(const Scene& scene, const Method& method, double step) {
-  if (method_ != &method || world_ != worldOf(scene)) {
+  if (method_ != &method || !sameLiveParameters(scene_, scene)) {
     method_ = &method;
-    world_ = worldOf(scene);
-    lookedAt_ = -1;
+    scene_ = scene;
+    measuredAt_ = -1;
     live_ = std::numeric_limits<double>::quiet_NaN();
     margin_ = {.rest = restLatticeLimit(scene, method)};
   }
@@ -53,26 +56,26 @@ void MarginWatch::follow(const Scene& scene, const Method& method, double step) 
   margin_.limit = std::fmin(margin_.rest, live_);  // of a number and NaN, the number
 }
 
-void MarginWatch::lookAhead(const Scene& chosen) { follow(chosen, findMethod(chosen.integrator), chosen.dt); }
+void MarginWatch::preview(const Scene& chosen) { follow(chosen, findMethod(chosen.integrator), chosen.dt); }
 
-void MarginWatch::look(Simulation& simulation, const Clock& clock) {
+void MarginWatch::update(Simulation& simulation, const Clock& clock) {
   follow(simulation.scene(), simulation.method(), simulation.dt());
-  const bool moves = simulation.status() == Status::Ok && simulation.ticks() != lookedAt_;
-  if (!margin_.adaptive && moves) lookLive(simulation, clock);
+  const bool moves = simulation.status() == Status::Ok && simulation.ticks() != measuredAt_;
+  if (!margin_.adaptive && moves) measureLive(simulation, clock);
   margin_.limit = std::fmin(margin_.rest, live_);
 }
 
-void MarginWatch::lookLive(Simulation& simulation, const Clock& clock) {
+void MarginWatch::measureLive(Simulation& simulation, const Clock& clock) {
   const double began = clock();
-  if (lookedAt_ >= 0 && began < nextLook_) return;
+  if (measuredAt_ >= 0 && began < nextMeasured_) return;
   live_ = simulation.liveStableStep();
   const double took = clock() - began;
-  nextLook_ = began + took / kMostShare;
-  if (lookedAt_ >= 0 && began > lastLook_) {
-    margin_.cost += kSmoothing * (std::min(1.0, took / (began - lastLook_)) - margin_.cost);
+  nextMeasured_ = began + took / kMostShare;
+  if (measuredAt_ >= 0 && began > lastMeasured_) {
+    margin_.cost += kSmoothing * (std::min(1.0, took / (began - lastMeasured_)) - margin_.cost);
   }
-  lookedAt_ = simulation.ticks();
-  lastLook_ = began;
+  measuredAt_ = simulation.ticks();
+  lastMeasured_ = began;
 }
 
 }  // namespace tyg

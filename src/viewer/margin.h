@@ -8,7 +8,6 @@
 #include <limits>
 #include <string_view>
 
-#include "core/simulation/world.h"
 #include "tyg/simulation.h"
 
 namespace tyg {
@@ -38,25 +37,25 @@ class MarginWatch {
  public:
   using Clock = std::function<double()>;  ///< s, from any start
 
-  /// Once a frame; of a simulation past its alarm the limit stays as it was. Finding the live limit takes no more than
-  /// a twentieth of the time: the larger a sheet, the fewer frames look.
-  void look(Simulation& simulation, const Clock& clock);
-  /// The same for what is chosen for the next run of a cloth that stands; of another method or world than the last look
-  /// the limit is the one at rest.
-  void lookAhead(const Scene& chosen);
-  /// Another simulation: its limit at rest is worked out at the next look.
+  /// Once a frame. Past the alarm of a simulation the limit stays as it was. Finding the live limit takes no more than
+  /// a twentieth of the time: the larger a sheet, the fewer frames measure it.
+  void update(Simulation& simulation, const Clock& clock);
+  /// The same for what is chosen for the next run of a frozen cloth. With another method or other live parameters than
+  /// at the last update the limit is the one at rest.
+  void preview(const Scene& chosen);
+  /// Another simulation: its limit at rest is worked out at the next update.
   void restart() { method_ = nullptr; }
   [[nodiscard]] const Margin& margin() const { return margin_; }
 
  private:
   void follow(const Scene& scene, const Method& method, double step);
-  void lookLive(Simulation& simulation, const Clock& clock);
+  void measureLive(Simulation& simulation, const Clock& clock);
 
   const Method* method_ = nullptr;
-  World world_;
-  double live_ = 0;             ///< s
-  std::int64_t lookedAt_ = -1;  ///< tick of the last look at it; -1 before the first with this method
-  double lastLook_ = 0, nextLook_ = 0;
+  Scene scene_;                                 ///< whose live parameters rest is of
+  double live_ = 0;                             ///< s
+  std::int64_t measuredAt_ = -1;                ///< tick of the last measurement; -1 before the first with this method
+  double lastMeasured_ = 0, nextMeasured_ = 0;  ///< s, of the clock
   Margin margin_;
 };
 

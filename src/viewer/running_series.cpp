@@ -16,7 +16,7 @@ void RunningSeries::add(double time, std::span<const float> values) {
     first_ = (first_ + 1) % kMost;
     --count_;
   }
-  const std::size_t at = place(count_);
+  const std::size_t at = slot(count_);
   times_[at] = time;
   std::copy_n(values.begin(), channels_, values_.begin() + static_cast<std::ptrdiff_t>(at * channels_));
   ++count_;
@@ -28,7 +28,7 @@ void RunningSeries::cut(double time) {
 
 void RunningSeries::forget(std::size_t channel) {
   for (std::size_t k = 0; k < count_; ++k) {
-    values_[place(k) * channels_ + channel] = std::numeric_limits<float>::quiet_NaN();
+    values_[slot(k) * channels_ + channel] = std::numeric_limits<float>::quiet_NaN();
   }
 }
 

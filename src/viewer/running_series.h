@@ -25,16 +25,14 @@ class RunningSeries {
   [[nodiscard]] std::size_t size() const { return count_; }
   [[nodiscard]] double window() const { return window_; }
   /// The k-th of the samples, the oldest first.
-  [[nodiscard]] double time(std::size_t k) const { return times_[place(k)]; }
-  [[nodiscard]] float value(std::size_t k, std::size_t channel) const {
-    return values_[place(k) * channels_ + channel];
-  }
+  [[nodiscard]] double time(std::size_t k) const { return times_[slot(k)]; }
+  [[nodiscard]] float value(std::size_t k, std::size_t channel) const { return values_[slot(k) * channels_ + channel]; }
   /// The sample at `time` or last before it, the first one where there is none. size() must not be 0.
   [[nodiscard]] std::size_t at(double time) const;
 
  private:
   static constexpr std::size_t kMost = 1001;
-  [[nodiscard]] std::size_t place(std::size_t k) const { return (first_ + k) % kMost; }
+  [[nodiscard]] std::size_t slot(std::size_t k) const { return (first_ + k) % kMost; }
 
   std::size_t channels_;
   double window_;

@@ -1,7 +1,7 @@
-// See scene_change.h.
+// A change is live where the scenes are equal but for method, step and live parameters.
 #include "viewer/scene_change.h"
 
-#include "core/simulation/world.h"
+#include "core/simulation/live_parameters.h"
 
 namespace tyg {
 
@@ -13,7 +13,7 @@ SceneChange changeBetween(const Scene& from, const Scene& to) {
   Scene alike = from;
   alike.integrator = to.integrator;
   alike.dt = to.dt;
-  setWorld(alike, worldOf(to));
+  copyLiveParameters(to, alike);
   return alike == to ? SceneChange::Live : SceneChange::Restart;
 }
 

@@ -1,5 +1,7 @@
 // Which command is meant, help, and exit codes.
 #include "app/program.h"
+#include "tyg/methods.h"
+#include "tyg/scene.h"
 
 namespace tyg {
 namespace {
@@ -138,9 +140,17 @@ TEST(CommandLine, ListShowsEverySceneAndMethodWithinEightyColumns) {
 TEST(CommandLine, ListAsJsonHoldsTheSameNames) {
   const Outcome list = tyg("list --json");
   EXPECT_EQ(list.code, 0);
-  EXPECT_TRUE(holds(list.out, "\"name\": \"curtain\""));
-  EXPECT_TRUE(holds(list.out, "\"name\": \"leapfrog\""));
-  EXPECT_TRUE(holds(list.out, "\"fails\": true"));
+  const auto value = [&](const std::string& kind, std::size_t number, const std::string& key) {
+    return jsonValue(list.out, kind + "/" + std::to_string(number) + key);
+  };
+  for (std::size_t k = 0; k < methods().size(); ++k) {
+    EXPECT_EQ(value("methods", k, "/name"), '"' + std::string(methods()[k].name) + '"');
+  }
+  const std::size_t scenes = builtinScenes().size();
+  EXPECT_EQ(value("scenes", 0, "/name"), "\"curtain\"");
+  EXPECT_EQ(value("scenes", 0, "/fails"), "false");
+  EXPECT_EQ(value("scenes", scenes - 1, "/fails"), "true") << "those that fail come last";
+  EXPECT_EQ(value("scenes", scenes, ""), "missing");
 }
 
 }  // namespace

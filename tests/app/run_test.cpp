@@ -1,4 +1,5 @@
 // `tyg run`: what it reports, what it writes, and how it fails.
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -8,7 +9,6 @@
 #include <thread>
 
 #include "app/program.h"
-#include "app/reports/json.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"
 
@@ -38,36 +38,20 @@ const std::vector<std::string> kKeys{"scene",
                                      "hash",
                                      "status"};
 
-std::vector<std::string> keysOf(const std::string& json) {
-  std::vector<std::string> keys;
-  const std::regex key("\"([A-Za-z_]+)\": ");
-  for (std::sregex_iterator it(json.begin(), json.end(), key); it != std::sregex_iterator(); ++it) {
-    keys.push_back((*it)[1]);
-  }
-  return keys;
-}
-
-/// Does the text have the form of one flat JSON object?
-bool isFlatJson(const std::string& text) {
-  const std::string number = R"(-?(0|[1-9]\d*)(\.\d+)?([eE][+-]?\d+)?)", string = R"("([^"\\\x00-\x1f]|\\.)*")";
-  const std::string member = "\\s*" + string + ":\\s*(" + number + "|" + string + "|null)\\s*";
-  return std::regex_match(text, std::regex("\\{" + member + "(," + member + ")*\\}\\s*"));
-}
-
 std::string json(const std::string& arguments) { return tyg("run " + arguments + " --json").out; }
 
 TEST(Run, JsonIsOneObjectWithTheAgreedKeysInOrder) {
   const Outcome outcome = tyg("run curtain --duration 0.1 --json");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_TRUE(isFlatJson(outcome.out)) << outcome.out;
-  EXPECT_EQ(keysOf(outcome.out), kKeys);
+  EXPECT_EQ(jsonKeys(outcome.out), kKeys);
 }
 
 TEST(Run, JsonComesAfterAFailureToo) {
   const Outcome outcome = tyg("run curtain --dt 0.01 --json");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_TRUE(isFlatJson(outcome.out)) << outcome.out;
-  EXPECT_EQ(keysOf(outcome.out), kKeys);
+  EXPECT_EQ(jsonKeys(outcome.out), kKeys);
   EXPECT_NE(jsonValue(outcome.out, "status"), "\"ok\"");
 }
 
@@ -148,7 +132,7 @@ TEST(Run, AFailureNamesMethodStepTimeLimitAndAWayOut) {
 TEST(Run, EnergiesOfAClothThatHasFlownApartAreNotPrintedAndThoseOfOneThatTremblesAre) {
   for (const char* past : {"run wet --integrator rkc2 --dt 0.12", "run wet --dt 0.01 --duration 1 --keep-going"}) {
     const Outcome apart = tyg(past);
-    EXPECT_TRUE(holds(apart.out, "past meaning")) << apart.out;
+    EXPECT_TRUE(holds(apart.out, "without meaning")) << apart.out;
     for (const char* word : {"kinetic", " J", "stretch"}) EXPECT_FALSE(holds(apart.out, word)) << apart.out;
   }
   const Outcome trembles = tyg("run fail-jitter");
@@ -162,12 +146,12 @@ TEST(Run, ThatRoundingSpoilsIsAdvisedALongerStepOrDouble) {
   EXPECT_TRUE(holds(outcome.err, "rounding of float. Try --precision double, or --dt 0.0")) << outcome.err;
 }
 
-TEST(Run, ThatATolerancesStepsWouldNeverEndComesToAStand) {
+TEST(Run, IsHaltedWhereTheStepsOfAToleranceWouldNeverEnd) {
   for (const char* more : {"", " --keep-going --json"}) {
     const Outcome outcome = tyg(std::string("run curtain --integrator bs32 --tolerance 1e-300") + more);
     if (*more == 0) {
       EXPECT_EQ(outcome.code, 1);
-      EXPECT_TRUE(holds(outcome.err, "bs32 came to a stand at t = ")) << outcome.err;
+      EXPECT_TRUE(holds(outcome.err, "bs32 was halted at t = ")) << outcome.err;
       EXPECT_TRUE(holds(outcome.err, "Try a larger --tolerance.")) << outcome.err;
     } else {
       EXPECT_EQ(jsonValue(outcome.out, "status"), "\"not-finite\"");
@@ -278,18 +262,6 @@ TEST(Run, AnInterruptLeavesNoFileAndSaysSo) {
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_TRUE(holds(contentsOf(err), "interrupted")) << contentsOf(err);
   EXPECT_EQ(output.fileCount(), 0U);
-}
-
-TEST(Json, StringsAreEscapedAndStayValidUtf8) {
-  EXPECT_EQ(jsonString("a\"b\\c\n\t\x01"), R"("a\"b\\c\n\t\u0001")");
-  EXPECT_EQ(jsonString("\xC3\xA5"), "\"\xC3\xA5\"");
-  EXPECT_EQ(jsonString("\xE5x"), "\"\\ufffdx\"");
-}
-
-TEST(Json, NumbersReadBackAsThemselvesAndNonFiniteOnesAreNull) {
-  EXPECT_EQ(jsonNumber(0.1), "0.1");
-  EXPECT_EQ(jsonNumber(std::nan("")), "null");
-  EXPECT_EQ(jsonNumber(-INFINITY), "null");
 }
 
 }  // namespace

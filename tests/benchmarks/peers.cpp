@@ -1,4 +1,4 @@
-// See peers.h.
+// The peers' force lists every spring and adds it to both of its ends, as a plain program would write it.
 #include "peers.h"
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 
 #include "scaling.h"
 #include "study/charts/gnuplot.h"
-#include "study/charts/method_look.h"
+#include "study/charts/method_style.h"
 #include "study/limits/stability.h"
 #include "study/work/cost.h"
 #include "tyg/methods.h"
@@ -98,7 +98,7 @@ std::string chartOf(const std::vector<std::string>& names, const std::vector<Cos
            << (scene + 1 == names.size() ? "  set key at screen 0.99,0.9 right top samplen 2\n" : "  unset key\n")
            << "  plot ";
     for (const auto& [method, row] : costs[scene]) {
-      const MethodLook look = lookOfMethod(method);
+      const MethodStyle look = styleOfMethod(method);
       script << "data using (stringcolumn(1) eq " << gnuplotQuoted(names[scene]) << " && stringcolumn(2) eq "
              << gnuplotQuoted(method) << " ? $3 : NaN):5 skip 1 w lp lw 2 pt " << 4 + int(look.mark) << " dt "
              << (look.dashed ? 2 : 1) << " lc rgb '" << chartColour(look.colour) << "' t " << gnuplotQuoted(method)

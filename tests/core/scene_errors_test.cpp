@@ -3,10 +3,10 @@
 
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
+#include "files.h"
 #include "tyg/methods.h"
 #include "tyg/scene.h"
 
@@ -265,24 +265,23 @@ std::string loadingError(const std::string& path) {
 }
 
 TEST(SceneErrors, SayWhyAFileCannotBeRead) {
-  const std::string folder = testing::TempDir();
+  const Folder folder;
   const std::string allowed = "; allowed: the path of a .toml file, or one of the built-in scenes curtain, ";
   const auto begins = [&](const std::string& path, const std::string& found) {
     const std::string expected = "cannot read the scene '" + path + "': " + found + allowed;
     EXPECT_EQ(loadingError(path).substr(0, expected.size()), expected);
   };
-  begins(folder + "nowhere.toml", "No such file or directory");
-  begins(folder, "it is a folder");
+  begins((folder / "nowhere.toml").string(), "No such file or directory");
+  begins(folder.path().string(), "it is a folder");
   begins("", "No such file or directory");
   begins("/proc/self/mem", "reading failed");
 }
 
 TEST(SceneErrors, NameTheFileThatWasLoaded) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "scene_errors_test.toml";
-  std::ofstream(path) << sceneWith(17, "drag = -1");
+  const Folder folder;
+  const std::filesystem::path path = folder.write("mine.toml", sceneWith(17, "drag = -1"));
   EXPECT_EQ(loadingError(path.string()),
             path.string() + ":17: key world.drag: found -1, allowed a finite number of at least 0");
-  std::filesystem::remove(path);
 }
 
 TEST(SceneErrors, ListTheBuiltinScenesWhereANameIsUnknown) {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "app/program.h"
+#include "files.h"
 #include "tyg/methods.h"
 #include "tyg/scene.h"
 #include "tyg/sheet.h"

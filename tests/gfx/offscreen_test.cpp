@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "files.h"
 #include "gfx/passes/sheet_renderer.h"
 
 namespace tyg {
@@ -236,10 +237,10 @@ TEST(Offscreen, RefusesSizesThatNoPictureHas) {
 TEST(Picture, ComesBackFromPngAsItWas) {
   Picture picture{3, 2, {}};
   for (int i = 0; i < 24; ++i) picture.rgba.push_back(static_cast<std::uint8_t>(i * 10));
-  const auto path = std::filesystem::temp_directory_path() / "tyg-picture-test.png";
+  const Folder folder;
+  const auto path = folder / "picture.png";
   writePng(picture, path);
   const Picture back = readPng(path);
-  std::filesystem::remove(path);
   EXPECT_EQ(back.rgba, picture.rgba);
   EXPECT_EQ(back.width, 3);
 }

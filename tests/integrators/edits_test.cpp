@@ -70,6 +70,7 @@ TEST(Edits, ARestoredMomentGoesOnWithTheSameBits) {
   }
 }
 
+constexpr std::size_t kChanges = 6;  // of live parameters, in the scene that follows
 Scene otherWorld() {
   Scene other = tickingSheet();
   other.structural = {2000, 0.3}, other.bend = {10, 0};
@@ -82,11 +83,11 @@ TEST(Edits, AnotherWorldActsFromTheNextTickOnAndIsLoggedOnce) {
     Simulation simulation(tickingSheet(), method), plain(tickingSheet(), method);
     tick(simulation, 10), tick(plain, 10);
     const std::uint64_t before = simulation.hash();
-    simulation.useWorld(otherWorld());
+    simulation.useLiveParameters(otherWorld());
     EXPECT_EQ(simulation.hash(), before) << method.name;
-    EXPECT_EQ(simulation.log().events.size(), 5U) << method.name;
-    simulation.useWorld(otherWorld());
-    EXPECT_EQ(simulation.log().events.size(), 5U) << method.name;
+    EXPECT_EQ(simulation.log().events.size(), kChanges) << method.name;
+    simulation.useLiveParameters(otherWorld());
+    EXPECT_EQ(simulation.log().events.size(), kChanges) << method.name;
     tick(simulation, 5), tick(plain, 5);
     EXPECT_NE(simulation.hash(), plain.hash()) << method.name;
     EXPECT_EQ(simulation.status(), Status::Ok) << method.name;
@@ -103,7 +104,7 @@ TEST(Edits, AMomentBeforeAnotherWorldComesBackWithItsOwn) {
     tick(simulation, 20);
     const std::uint64_t plain = simulation.hash();
     simulation.restore(moment);
-    simulation.useWorld(otherWorld());
+    simulation.useLiveParameters(otherWorld());
     tick(simulation, 20);
     simulation.restore(moment);
     EXPECT_EQ(simulation.scene(), simulation.startScene());
@@ -115,11 +116,11 @@ TEST(Edits, AMomentBeforeAnotherWorldComesBackWithItsOwn) {
 TEST(Edits, TheLedgerStaysBalancedWhenTheWorldChanges) {
   Simulation simulation(tickingSheet(), findMethod("rk4"), {.ledger = true});
   tick(simulation, 20);
-  simulation.useWorld(otherWorld());
+  simulation.useLiveParameters(otherWorld());
   constexpr double kRounding = 1e-12;
   const double drift = simulation.ledger().drift;
-  simulation.useWorld(tickingSheet());
-  simulation.useWorld(otherWorld());
+  simulation.useLiveParameters(tickingSheet());
+  simulation.useLiveParameters(otherWorld());
   EXPECT_NEAR(simulation.ledger().drift, drift, kRounding);
   tick(simulation, 100);
   constexpr double kOfTheMethod = 1e-4;  // what rk4 loses with this step
@@ -138,7 +139,7 @@ TEST(Edits, AReplayedLogGivesTheSameBits) {
     live.push(3, {0, 0, -5}, 4);
     live.useStep(0.0031);
     tick(live, 20);
-    live.useWorld(otherWorld());
+    live.useLiveParameters(otherWorld());
     tick(live, 3);
     live.useMethod(findMethod("leapfrog"));
     tick(live, 20);
@@ -146,7 +147,7 @@ TEST(Edits, AReplayedLogGivesTheSameBits) {
     live.push(kMiddle, kPush, 1);
     tick(live, 10);
 
-    const PushLog log = parsePushLog(formatPushLog(live.log()), "log");
+    const EventLog log = parseEventLog(formatEventLog(live.log()), "log");
     EXPECT_EQ(log.ticks, 68);
     Simulation again(scene, method);
     again.replay(log, methods());
@@ -192,16 +193,16 @@ TEST(Edits, ATickThatAPushCutsIsDoneWholeWhenTheObserverStops) {
 
 TEST(Edits, ALogOfAnotherSheetMethodStepOrPrecisionIsRefused) {
   const Scene scene = tickingSheet();
-  const PushLog right = Simulation(scene, findMethod("rk4")).log();
-  std::vector<PushLog> wrong(5, right);
+  const EventLog right = Simulation(scene, findMethod("rk4")).log();
+  std::vector<EventLog> wrong(5, right);
   wrong[0].columns = 4;
   wrong[1].integrator = "leapfrog";
   wrong[2].dt = 0.5;
   wrong[3].precision = Precision::Float;
-  wrong[4].events = {{.tick = 1, .particle = 12, .force = kPush, .ticks = 1}};
+  wrong[4].events = {{1, PushEvent{12, kPush, 1}}};
   Simulation simulation(scene, findMethod("rk4"));
   simulation.replay(right, methods());
-  for (const PushLog& log : wrong) EXPECT_THROW(simulation.replay(log, methods()), InputError);
+  for (const EventLog& log : wrong) EXPECT_THROW(simulation.replay(log, methods()), InputError);
 }
 
 TEST(Edits, AMethodThatCannotTakeTheSceneIsRefusedAndTheOldOneStays) {

@@ -40,7 +40,7 @@ TEST(LiveChanges, GoOnAsANewIntegratorWould) {
     for (const Method& method : methods()) {
       Simulation inPlace(tickingSheet(precision), method), anew(tickingSheet(precision), method);
       for (const Scene& scene : changedScenes(tickingSheet(precision))) {
-        inPlace.useWorld(scene), anew.useWorld(scene);
+        inPlace.useLiveParameters(scene), anew.useLiveParameters(scene);
         anew.useMethod(method);
         inPlace.tick(3), anew.tick(3);
         ASSERT_EQ(inPlace.hash(), anew.hash()) << method.name;
@@ -57,7 +57,7 @@ TEST(LiveChanges, OfGravityKeepTheStartShapeAtHeightZero) {
   EXPECT_EQ(simulation.ledger().gravitational, 0);
   for (const Vec3& gravity : {Vec3{1, 2, 3}, Vec3{}, Vec3{0, -9.81, 0}}) {
     scene.gravity = gravity;
-    simulation.useWorld(scene);
+    simulation.useLiveParameters(scene);
     EXPECT_EQ(simulation.ledger().gravitational, 0);
   }
 }
@@ -68,7 +68,7 @@ TEST(LiveChanges, LeaveALiveStableStepThatIsThatOfANewSimulation) {
   Simulation changed(scene, method);
   changed.liveStableStep();
   scene.structural.ks *= 4, scene.bend = {};
-  changed.useWorld(scene);
+  changed.useLiveParameters(scene);
   Simulation fresh(scene, method);
   for (int call = 0; call < 5; ++call) EXPECT_EQ(changed.liveStableStep(), fresh.liveStableStep());
 }

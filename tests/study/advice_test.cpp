@@ -150,7 +150,7 @@ TEST(Advice, ThreadsAreTakenOnlyWhereTheyPay) {
 
 TEST(Advice, AnObserverThatSaysStopEndsIt) {
   AdvicePlan plan = planFor({.error = 1e-6});
-  plan.observer = [looks = 0](double) mutable { return ++looks < 5; };
+  plan.observer = [calls = 0](double) mutable { return ++calls < 5; };
   EXPECT_TRUE(adviseOn(small(), plan).stopped);
 }
 

@@ -49,10 +49,10 @@ TEST(CostMeter, MethodsWithoutForceEvaluationsArePricedByTheStep) {
 }
 
 TEST(CostMeter, ADisturbedBurstDoesNotCount) {
-  int looks = 0;
+  int calls = 0;
   double now = 0;
   // Every seventh look finds that another program has had the machine.
-  CostMeter noisy(sheetFor("rk4"), 1, [&](int) { return now += ++looks % 7 == 0 ? 50e-3 : 1e-3; });
+  CostMeter noisy(sheetFor("rk4"), 1, [&](int) { return now += ++calls % 7 == 0 ? 50e-3 : 1e-3; });
   CostMeter quiet(sheetFor("rk4"), 1, ticking(1e-3));
   const Scene scene = sheetFor("leapfrog");
   constexpr double kStartEvaluation = 0.02;  // the first burst has one more

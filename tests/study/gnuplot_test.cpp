@@ -4,28 +4,22 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <set>
+
+#include "files.h"
 
 namespace tyg {
 namespace {
 
 using Kind = GnuplotOutcome::Kind;
 
-/// A folder of its own with a script in it.
 class Gnuplot : public testing::Test {
  protected:
-  Gnuplot() {
-    std::string name = (std::filesystem::temp_directory_path() / "tyg-gnuplot-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  ~Gnuplot() override { std::filesystem::remove_all(folder_); }
-
   GnuplotOutcome run(const std::string& script, const std::vector<std::string>& definitions = {}) {
-    std::ofstream(folder_ / "a.gp") << script;
-    return runGnuplot(folder_, "a.gp", definitions);
+    folder_.write("a.gp", script);
+    return runGnuplot(folder_.path(), "a.gp", definitions);
   }
-  std::filesystem::path folder_;
+  const Folder folder_;
 };
 
 TEST_F(Gnuplot, DrawsInItsFolderWithTheDefinitionsGiven) {
@@ -43,7 +37,7 @@ TEST_F(Gnuplot, AScriptWithAMistakeFailsWithWhatGnuplotSaid) {
 
 TEST_F(Gnuplot, WithoutGnuplotItIsMissing) {
   const std::string path = std::getenv("PATH");
-  setenv("PATH", folder_.c_str(), 1);
+  setenv("PATH", folder_.path().c_str(), 1);
   const GnuplotOutcome outcome = run("plot sin(x)\n");
   setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(outcome.kind, Kind::Missing);

@@ -54,7 +54,7 @@ TEST(Diet, AFlatSheetInFreeFallNeedsNoSpringsAtAll) {
     EXPECT_TRUE(row->within) << words;
     EXPECT_GT(row->saved, 0.1) << words;
   }
-  const Scene& lean = found.leanest().scene;
+  const Scene& lean = found.reduced().scene;
   EXPECT_FALSE(lean.structural.present() || lean.shear.present() || lean.bend.present());
 }
 
@@ -70,8 +70,8 @@ TEST(Diet, AChainNeedsNoShearButItsDamping) {
   EXPECT_EQ(shear->lost.largest, found.written.lost.largest) << "a single column has no shear springs";
   EXPECT_TRUE(shear->within);
   EXPECT_FALSE(damping->within);
-  EXPECT_FALSE(found.leanest().scene.shear.present());
-  EXPECT_GT(found.leanest().scene.structural.kd, 0);
+  EXPECT_FALSE(found.reduced().scene.shear.present());
+  EXPECT_GT(found.reduced().scene.structural.kd, 0);
 }
 
 TEST(Diet, AHeavilyDampedSheetNeedsNoFourthOrder) {
@@ -80,8 +80,8 @@ TEST(Diet, AHeavilyDampedSheetNeedsNoFourthOrder) {
   scene.duration = 0.5;
   scene.dt = 0.01;
   const Diet found = diet(scene);
-  EXPECT_LT(findMethod(found.leanest().scene.integrator).order, 4);
-  EXPECT_LT(found.leanest().seconds, 0.5 * found.written.seconds);
+  EXPECT_LT(findMethod(found.reduced().scene.integrator).order, 4);
+  EXPECT_LT(found.reduced().seconds, 0.5 * found.written.seconds);
 }
 
 TEST(Diet, EveryRowTogetherIsWithinAndCheaperThanTheOneBefore) {
@@ -95,7 +95,7 @@ TEST(Diet, EveryRowTogetherIsWithinAndCheaperThanTheOneBefore) {
     EXPECT_LT(row.seconds, 1.1 * before) << row.words;
     before = row.seconds;
   }
-  EXPECT_NEAR(found.leanest().saved, 1 - found.leanest().seconds / found.written.seconds, 1e-12);
+  EXPECT_NEAR(found.reduced().saved, 1 - found.reduced().seconds / found.written.seconds, 1e-12);
 }
 
 TEST(Diet, AZeroToleranceKeepsEverything) {
@@ -104,7 +104,7 @@ TEST(Diet, AZeroToleranceKeepsEverything) {
   const Diet found = diet(scene, 1e-9);
   EXPECT_FALSE(found.written.within) << "rk4 at a hundredth of a second is further off than that";
   EXPECT_TRUE(found.together.empty());
-  EXPECT_EQ(found.leanest().scene, scene);
+  EXPECT_EQ(found.reduced().scene, scene);
 }
 
 TEST(Diet, AnObserverThatSaysStopEndsIt) {
@@ -113,7 +113,7 @@ TEST(Diet, AnObserverThatSaysStopEndsIt) {
   DietPlan plan;
   plan.within = 0.01;
   plan.cost = plainCost;
-  plan.observer = [looks = 0](double) mutable { return ++looks < 30; };
+  plan.observer = [calls = 0](double) mutable { return ++calls < 30; };
   const Diet found = dietOf(scene, reference, plan);
   EXPECT_TRUE(found.stopped);
 }

@@ -1,5 +1,5 @@
 // What is compared past a horizon: sheets as wholes, against the spread of the reference's twin.
-#include "study/motion/past_horizon.h"
+#include "study/work/past_horizon.h"
 
 #include <gtest/gtest.h>
 

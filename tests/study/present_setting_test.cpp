@@ -10,7 +10,7 @@
 namespace tyg {
 namespace {
 
-using Kind = SettingPlace::Kind;
+using Kind = SettingEstimate::Kind;
 constexpr double kTolerance = 1e-9;  // relative: logarithms and powers round
 constexpr double kFloor = 1e-13;     // m
 
@@ -35,10 +35,10 @@ std::vector<WorkRow> someRows() {
   for (const double h : {4e-3, 1e-3}) rows.push_back(heldRow("symplectic-euler", h, h, 1e-5 / h));
   return rows;
 }
-SettingPlace rk4At(double dt) { return placeOf(someRows(), {&findMethod("rk4"), dt, 0}); }
-void expectOnTheLaw(const SettingPlace& place, double h) {
-  EXPECT_NEAR(place.error, rk4Error(h), kTolerance * rk4Error(h));
-  EXPECT_NEAR(place.seconds, 4e-5 / h, kTolerance * 4e-5 / h);
+SettingEstimate rk4At(double dt) { return estimateOf(someRows(), {&findMethod("rk4"), dt, 0}); }
+void expectOnTheLaw(const SettingEstimate& estimate, double h) {
+  EXPECT_NEAR(estimate.error, rk4Error(h), kTolerance * rk4Error(h));
+  EXPECT_NEAR(estimate.seconds, 4e-5 / h, kTolerance * 4e-5 / h);
 }
 
 TEST(PresentSetting, BetweenTwoRowsLiesOnTheirLineAndOnARowIsMeasured) {
@@ -65,21 +65,21 @@ TEST(PresentSetting, FailsWhereTheRowsFailed) {
 
 TEST(PresentSetting, FailsPastTheLimitEvenWhereNoRowFailedYet) {
   const std::vector<WorkRow> rows{heldRow("rk4", 4e-3, rk4Error(4e-3), 0.01), failedRow("rk4", 8e-3)};
-  EXPECT_EQ(placeOf(rows, {&findMethod("rk4"), 5.3e-3, 0, 4.26e-3}).kind, Kind::Fails);
-  EXPECT_EQ(placeOf(rows, {&findMethod("rk4"), 4.2e-3, 0, 4.26e-3}).kind, Kind::Coarser);
+  EXPECT_EQ(estimateOf(rows, {&findMethod("rk4"), 5.3e-3, 0, 4.26e-3}).kind, Kind::Fails);
+  EXPECT_EQ(estimateOf(rows, {&findMethod("rk4"), 4.2e-3, 0, 4.26e-3}).kind, Kind::Coarser);
 }
 
 TEST(PresentSetting, OfAMethodWithoutRowsIsUnknown) {
-  EXPECT_EQ(placeOf(someRows(), {&findMethod("leapfrog"), 1e-3, 0}).kind, Kind::Unknown);
-  EXPECT_EQ(placeOf({failedRow("rk4", 8e-3)}, {&findMethod("rk4"), 1e-3, 0}).kind, Kind::Unknown);
+  EXPECT_EQ(estimateOf(someRows(), {&findMethod("leapfrog"), 1e-3, 0}).kind, Kind::Unknown);
+  EXPECT_EQ(estimateOf({failedRow("rk4", 8e-3)}, {&findMethod("rk4"), 1e-3, 0}).kind, Kind::Unknown);
 }
 
 TEST(PresentSetting, OfAnAdaptiveMethodGoesByItsTolerance) {
   WorkRow coarse = heldRow("dopri54", 0.01, 1e-3, 0.1), fine = heldRow("dopri54", 0.004, 1e-5, 0.2);
   coarse.tolerance = 1e-3, fine.tolerance = 1e-5;
-  const SettingPlace place = placeOf({coarse, fine}, {&findMethod("dopri54"), 123, 1e-4});
-  EXPECT_NEAR(place.error, 1e-4, kTolerance);
-  EXPECT_NEAR(place.seconds, 0.1 * std::sqrt(2), kTolerance);
+  const SettingEstimate estimate = estimateOf({coarse, fine}, {&findMethod("dopri54"), 123, 1e-4});
+  EXPECT_NEAR(estimate.error, 1e-4, kTolerance);
+  EXPECT_NEAR(estimate.seconds, 0.1 * std::sqrt(2), kTolerance);
 }
 
 TEST(Frontier, HoldsTheRowsThatNoOtherBeatsInBoth) {
@@ -96,7 +96,7 @@ TEST(Frontier, HoldsTheRowsThatNoOtherBeatsInBoth) {
 
 TEST(BetterRows, AreCheaperAtTheSameErrorOrCloserAtTheSameCost) {
   const std::vector<WorkRow> rows = someRows();
-  const SettingPlace euler = placeOf(rows, {&findMethod("symplectic-euler"), 1e-3, 0});  // 1e-3 m for 0.01 s
+  const SettingEstimate euler = estimateOf(rows, {&findMethod("symplectic-euler"), 1e-3, 0});  // 1e-3 m for 0.01 s
   const BetterRows better = betterThan(rows, euler);
   EXPECT_EQ(better.cheaper, nullptr);  // rk4 reaches it at 0.01 s as well
   ASSERT_NE(better.closer, nullptr);

@@ -138,15 +138,15 @@ TEST(SettingCandidate, AimsByTheOrderOfItsMethod) {
   SettingCandidate candidate(small(), findMethod("rk4"), Precision::Double, 2.0);
   candidate.priceStep(1e-6);
   const double loosest = candidate.loosest();
-  EXPECT_EQ(candidate.next(1e-8).knob, loosest);
+  EXPECT_EQ(candidate.next(1e-8).parameter, loosest);
   constexpr double kAim = 0.8, kThird = 1.0 / 81;
   candidate.learn(loosest, trialOf(kAim * 1e-8 / kThird, 1));
   const SettingCandidate::Next next = candidate.next(1e-8);
   constexpr double kWholeSteps = 0.05;  // a whole number of steps fits between two samples
-  EXPECT_NEAR(next.knob / loosest, 1.0 / 3, kWholeSteps);
-  EXPECT_NEAR(next.seconds, loosest / next.knob, 1e-9) << "of a step's cost";
-  candidate.learn(next.knob, trialOf(0.2e-8, 3));
-  EXPECT_GT(candidate.next(1e-8).knob, next.knob) << "between what is within and what is not";
+  EXPECT_NEAR(next.parameter / loosest, 1.0 / 3, kWholeSteps);
+  EXPECT_NEAR(next.seconds, loosest / next.parameter, 1e-9) << "of a step's cost";
+  candidate.learn(next.parameter, trialOf(0.2e-8, 3));
+  EXPECT_GT(candidate.next(1e-8).parameter, next.parameter) << "between what is within and what is not";
 }
 
 TEST(SettingCandidate, GivesUpWhereRoundingIsWhatIsLeft) {
@@ -154,9 +154,9 @@ TEST(SettingCandidate, GivesUpWhereRoundingIsWhatIsLeft) {
   candidate.priceStep(1e-6);
   const double step = candidate.loosest();
   candidate.learn(step, trialOf(1e-9, 1));
-  EXPECT_GT(candidate.next(1e-12).knob, 0);
+  EXPECT_GT(candidate.next(1e-12).parameter, 0);
   candidate.learn(step / 2, trialOf(0.95e-9, 2));
-  EXPECT_EQ(candidate.next(1e-12).knob, 0);
+  EXPECT_EQ(candidate.next(1e-12).parameter, 0);
   EXPECT_TRUE(std::isinf(candidate.errorAt(step / 4)));
 }
 

@@ -8,6 +8,7 @@
 
 #include "study/charts/stability_chart.h"
 #include "study/limits/measured_limit.h"
+#include "study/limits/stability_region.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"

@@ -1,5 +1,5 @@
 // Following particles: which, at what times, and what the rows say.
-#include "study/charts/trajectory_plot.h"
+#include "study/motion/trajectories.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "study/charts/trajectory_chart.h"
 #include "tyg/methods.h"
 
 namespace tyg {
@@ -82,7 +83,7 @@ TEST(TrajectoryPlot, ALongRunIsThinnedWithoutChangingItsSteps) {
   EXPECT_LE(study.runs[0].times.size(), static_cast<std::size_t>(kTrajectorySamples) + 2);
   Simulation alone(scene, findMethod("rk4"));
   alone.advanceTo(study.runs[0].times[300]);
-  EXPECT_NEAR(study.runs[0].ways[0][300].x, alone.position(2).x, 1e-12);  // m; steps may differ in their last bits
+  EXPECT_NEAR(study.runs[0].paths[0][300].x, alone.position(2).x, 1e-12);  // m; steps may differ in their last bits
 }
 
 TEST(TrajectoryPlot, ComparesWithTheHighestOrder) {

@@ -66,7 +66,7 @@ TEST(WorkChart, TheAxesHoldEveryRowAndRealTime) {
       EXPECT_TRUE(panel.holds(panel.workOf(one, chart.duration), panel.heightOf(one, chart.size)));
     }
   }
-  EXPECT_LT(chartPanels(chart)[0].x.place(1), 1);
+  EXPECT_LT(chartPanels(chart)[0].x.fractionAt(1), 1);
 }
 
 TEST(WorkChart, TheErrorRangeIsTheAxis) {

@@ -162,7 +162,7 @@ TEST(WorkPrecision, AnInterruptedStudyKeepsTheRowsSoFar) {
   StudyPlan plan = planOf({"leapfrog", "rk4"});
   const std::string whole = withoutSeconds(studyOf(smoothSheet(), plan).rows);
   plan = planOf({"leapfrog", "rk4"});
-  plan.observer = [looks = 0](double) mutable { return ++looks < 40; };
+  plan.observer = [calls = 0](double) mutable { return ++calls < 40; };
   const Study study = studyOf(smoothSheet(), plan);
   EXPECT_TRUE(study.stopped);
   ASSERT_FALSE(study.rows.empty());

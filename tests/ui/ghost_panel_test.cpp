@@ -41,11 +41,11 @@ TEST_F(GhostPanelTest, TheGhostAndTheClothAreSwappedAndBeginAnew) {
   viewer_.perform(InputAction::StartOrPause);
   makeLeapfrogTheGhost();
   frames(20);
-  EXPECT_GT(viewer_.time(), 0.2);
+  EXPECT_GT(viewer_.run().shown().time(), 0.2);
   clickRow("Ghost", 1);
-  EXPECT_EQ(viewer_.method().name, "leapfrog");
-  EXPECT_EQ(viewer_.state(), RunState::Running);
-  EXPECT_LT(viewer_.time(), 0.1);
+  EXPECT_EQ(viewer_.scenes().method().name, "leapfrog");
+  EXPECT_EQ(viewer_.run().state(), RunState::Running);
+  EXPECT_LT(viewer_.run().shown().time(), 0.1);
   EXPECT_TRUE(says(wordsOfFirst(), "rk4"));  // the ghost's method
 }
 
@@ -54,7 +54,7 @@ TEST_F(GhostPanelTest, TheGhostIsNotShownWhereItIsOfAnotherTime) {
   frames(60);
   panels_.toggle(InputAction::OpenGhost);
   const auto shown = [this] {
-    ClothPicture picture{.options = viewer_.drawOptions()};
+    ClothPicture picture{.options = viewer_.view().drawOptions()};
     panels_.paint(picture);
     return !picture.ghost.empty();
   };
@@ -68,13 +68,13 @@ TEST_F(GhostPanelTest, TheGhostIsNotShownWhereItIsOfAnotherTime) {
 }
 
 TEST_F(GhostPanelTest, AGhostOpenedOverAFrozenClothComesUpToItAndRests) {
-  Scene wanted = viewer_.scene();
+  Scene wanted = viewer_.scenes().scene();
   wanted.dt = 0.01;  // the limit is 4 ms
-  viewer_.use(wanted);
+  viewer_.scenes().use(wanted);
   viewer_.perform(InputAction::StartOrPause);
-  for (int k = 0; k < 100 && viewer_.state() != RunState::Frozen; ++k) frames(1);
-  ASSERT_EQ(viewer_.state(), RunState::Frozen);
-  EXPECT_NE(viewer_.shownTick(), viewer_.simulation().ticks());
+  for (int k = 0; k < 100 && viewer_.run().state() != RunState::Frozen; ++k) frames(1);
+  ASSERT_EQ(viewer_.run().state(), RunState::Frozen);
+  EXPECT_NE(viewer_.run().shown().tick(), viewer_.run().simulation().ticks());
   panels_.toggle(InputAction::OpenGhost);
   frames(10);
   EXPECT_TRUE(says(wordsOfFirst(), "RMS"));
@@ -86,7 +86,7 @@ TEST_F(GhostPanelTest, BesideTheClothItSaysWhichIsWhichAndTakesRoom) {
   EXPECT_EQ(panels_.beside(), 0);
   click(ImGui::FindWindowByName("Ghost")->Pos.x + 190, rowOf("Ghost", 2));
   EXPECT_TRUE(says(wordsOfFirst(), "left: ghost, leapfrog; right: the cloth, rk4"));
-  EXPECT_GT(panels_.beside(), viewer_.simulation().sheet().size());
+  EXPECT_GT(panels_.beside(), viewer_.run().simulation().sheet().size());
   panels_.toggle(InputAction::OpenGhost);
   EXPECT_EQ(panels_.beside(), 0);
 }
@@ -96,7 +96,7 @@ TEST_F(GhostPanelTest, TheGhostSaysWhereTheColoursAreThoseOfAnotherPanel) {
   panels_.toggle(InputAction::OpenGhost);
   frames(20);
   const auto words = [this] {
-    ClothPicture picture{.options = viewer_.drawOptions()};
+    ClothPicture picture{.options = viewer_.view().drawOptions()};
     panels_.paint(picture);
     return wordsOfFirst();
   };

@@ -4,9 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
+#include "files.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"
 
@@ -15,24 +14,11 @@ namespace {
 
 class KeeperTest : public testing::Test {
  protected:
-  void SetUp() override {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
   static Picture picture(int width, int height) {
     return {width, height, std::vector<std::uint8_t>(4 * std::size_t(width) * std::size_t(height), 200)};
   }
-  [[nodiscard]] std::string textOf(const std::string& name) const {
-    std::ifstream in(folder_ / name);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-  }
-  const std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) /
-      (std::string("tyg_keeper_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-  Keeper keeper_{folder_};
+  const Folder folder_;
+  Keeper keeper_{folder_.path()};
 };
 
 TEST_F(KeeperTest, AKeptRunDoneAgainEndsInTheSameBits) {
@@ -40,13 +26,13 @@ TEST_F(KeeperTest, AKeptRunDoneAgainEndsInTheSameBits) {
   Simulation live(scene, findMethod("rk4"), {.threads = 1});
   live.tick(40), live.push(190, {0, 0, 3}, 20), live.tick(10), live.useMethod(findMethod("leapfrog"));
   live.useStep(0.001), live.tick(50);
-  PushLog log = live.log();
+  EventLog log = live.log();
   log.ticks = live.ticks();
   keeper_.keep(picture(4, 4), log);
 
-  const Scene kept = parseScene(textOf("tyg-curtain-1.toml"), "kept", methodNames());
+  const Scene kept = parseScene(contentsOf(folder_ / "tyg-curtain-1.toml"), "kept", methodNames());
   Simulation again(kept, findMethod(kept.integrator), {.threads = 1});
-  again.replay(parsePushLog(textOf("tyg-curtain-1.csv"), "kept"), methods());
+  again.replay(parseEventLog(contentsOf(folder_ / "tyg-curtain-1.csv"), "kept"), methods());
   again.tick(100);
   EXPECT_EQ(again.hash(), live.hash());
 }
@@ -54,17 +40,17 @@ TEST_F(KeeperTest, AKeptRunDoneAgainEndsInTheSameBits) {
 TEST_F(KeeperTest, NothingIsOverwritten) {
   const Scene scene = loadScene("curtain");
   const Simulation live(scene, findMethod("rk4"), {.threads = 1});
-  std::ofstream(folder_ / "tyg-curtain-1.mp4") << "mine";
+  folder_.write("tyg-curtain-1.mp4", "mine");
   const std::string said = keeper_.keep(picture(4, 4), live.log());
   EXPECT_NE(said.find("tyg-curtain-2.png"), std::string::npos) << said;
-  EXPECT_EQ(textOf("tyg-curtain-1.mp4"), "mine");
+  EXPECT_EQ(contentsOf(folder_ / "tyg-curtain-1.mp4"), "mine");
   EXPECT_EQ(readPng(folder_ / "tyg-curtain-2.png").width, 4);
 }
 
 TEST_F(KeeperTest, AFolderThatIsGoneIsAnError) {
   const Scene scene = loadScene("curtain");
   const Simulation live(scene, findMethod("rk4"), {.threads = 1});
-  std::filesystem::remove_all(folder_);
+  std::filesystem::remove_all(folder_.path());
   EXPECT_THROW(keeper_.keep(picture(4, 4), live.log()), InputError);
 }
 
@@ -83,11 +69,11 @@ TEST_F(KeeperTest, AMovieKeepsTheRhythmOfTheClockAndEndsWhenTheWindowChangesItsS
 TEST_F(KeeperTest, AMovieThatIsNotEndedLeavesNoFile) {
   if (!haveFfmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
   {
-    Keeper keeper(folder_);
+    Keeper keeper(folder_.path());
     keeper.beginMovie("curtain", 64, 48);
     (void)keeper.film(picture(64, 48), 0);
   }
-  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
 }
 
 }  // namespace

@@ -88,18 +88,18 @@ TEST_F(PanelsTest, APanelStandsAtItsEdgeAndTakesOnlyTheClicksOnIt) {
 
 TEST_F(PanelsTest, ControlAndZUndoesAndBothWaysRedo) {
   frames();
-  Scene changed = viewer_.scene();
+  Scene changed = viewer_.scenes().scene();
   const double dt = changed.dt;
   changed.dt = 0.5 * dt;
-  viewer_.use(changed);
+  viewer_.scenes().use(changed);
   frames();
   EXPECT_TRUE(press('Z', true));
-  EXPECT_EQ(viewer_.scene().dt, dt);
+  EXPECT_EQ(viewer_.scenes().scene().dt, dt);
   EXPECT_TRUE(press('Y', true));
-  EXPECT_EQ(viewer_.scene().dt, 0.5 * dt);
+  EXPECT_EQ(viewer_.scenes().scene().dt, 0.5 * dt);
   press('Z', true);
   EXPECT_TRUE(press('Z', true, true));
-  EXPECT_EQ(viewer_.scene().dt, 0.5 * dt);
+  EXPECT_EQ(viewer_.scenes().scene().dt, 0.5 * dt);
 }
 
 TEST_F(PanelsTest, KeysWithControlAreNotTheViewers) {
@@ -108,14 +108,14 @@ TEST_F(PanelsTest, KeysWithControlAreNotTheViewers) {
 }
 
 TEST_F(PanelsTest, TheChartReadsOutThePointUnderTheCursorAndAClickTakesIt) {
-  viewer_.use(withSheet(loadScene("curtain", methodNames()), 4, 4));
+  viewer_.scenes().use(withSheet(loadScene("curtain", methodNames()), 4, 4));
   panels_.toggle(InputAction::OpenChart);
   frames();
   EXPECT_FALSE(showsTooltip());
-  const Scene before = viewer_.scene();
+  const Scene before = viewer_.scenes().scene();
   const auto givenUp = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   // Where the points are is up to this machine's speed: the cursor goes over the plot until it finds one that holds.
-  for (int k = 0; viewer_.scene() == before; ++k) {
+  for (int k = 0; viewer_.scenes().scene() == before; ++k) {
     ASSERT_LT(std::chrono::steady_clock::now(), givenUp);
     if (k % 500 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(100));
     const auto x = float(780 + (k * 37) % 420), y = float(150 + (k * 23) % 220);
@@ -129,17 +129,17 @@ TEST_F(PanelsTest, TheChartReadsOutThePointUnderTheCursorAndAClickTakesIt) {
 TEST_F(PanelsTest, AClickOnARunningPlotGoesBackToItsMoment) {
   for (const InputAction action : {InputAction::OpenEnergy, InputAction::OpenTraces}) {
     panels_.toggle(action);
-    if (viewer_.state() != RunState::Running) viewer_.perform(InputAction::StartOrPause);
+    if (viewer_.run().state() != RunState::Running) viewer_.perform(InputAction::StartOrPause);
     frames(90);
-    const double newest = viewer_.time();
+    const double newest = viewer_.run().shown().time();
     ImGui::GetIO().MousePos = {1230, 140}, frames(2);
     EXPECT_TRUE(showsTooltip());
     click(1230, 140);
-    EXPECT_EQ(viewer_.state(), RunState::Paused);
-    EXPECT_LT(viewer_.time(), newest);
-    EXPECT_GT(viewer_.time(), newest - 1);
+    EXPECT_EQ(viewer_.run().state(), RunState::Paused);
+    EXPECT_LT(viewer_.run().shown().time(), newest);
+    EXPECT_GT(viewer_.run().shown().time(), newest - 1);
     click(1250, 140);  // what came after it is still there
-    EXPECT_GE(viewer_.time(), newest);
+    EXPECT_GE(viewer_.run().shown().time(), newest);
     panels_.toggle(action);
   }
 }
@@ -147,8 +147,9 @@ TEST_F(PanelsTest, AClickOnARunningPlotGoesBackToItsMoment) {
 TEST_F(PanelsTest, TracesTakeAParticleThatIsClickedOnTheClothOnceTheyAreAskedTo) {
   panels_.toggle(InputAction::OpenTraces);
   frames();
-  const glm::mat4 seen = viewer_.camera().projection(1280.0F / 720) * viewer_.camera().view();
-  const glm::vec4 pin = seen * glm::vec4(viewer_.positions()[0], viewer_.positions()[1], viewer_.positions()[2], 1);
+  const glm::mat4 seen = viewer_.view().camera().projection(1280.0F / 720) * viewer_.view().camera().view();
+  const glm::vec4 pin = seen * glm::vec4(viewer_.run().shown().positions()[0], viewer_.run().shown().positions()[1],
+                                         viewer_.run().shown().positions()[2], 1);
   const double x = 640 * (1 + pin.x / pin.w), y = 360 * (1 - pin.y / pin.w);
   EXPECT_FALSE(pressMouse(x, y));
   bool taken = false;
@@ -276,9 +277,9 @@ TEST_F(PanelsTest, TabGoesFromColumnsToRowsAndAClampIsTold) {
   click(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
   ASSERT_TRUE(ImGui::GetIO().WantTextInput);
   type("7"), tap(ImGuiKey_Tab), type("900"), tap(ImGuiKey_Enter), frames();
-  EXPECT_EQ(viewer_.scene().columns, 7);
-  EXPECT_EQ(viewer_.scene().rows, 512);
-  EXPECT_EQ(viewer_.note(), "rows: 512 is the most");
+  EXPECT_EQ(viewer_.scenes().scene().columns, 7);
+  EXPECT_EQ(viewer_.scenes().scene().rows, 512);
+  EXPECT_EQ(viewer_.notes().text(), "rows: 512 is the most");
 }
 
 }  // namespace

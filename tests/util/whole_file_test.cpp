@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "app/program.h"
+#include "files.h"
 #include "tyg/scene.h"
 #include "util/whole_file.h"
 
@@ -165,6 +165,25 @@ TEST(WholeFile, ThatDoesNotFitLeavesTheOldOneAndNothingElse) {
   EXPECT_EQ(folder.fileCount(), 1U);
   writeWholeFile(old, std::string(1000, 'x'));
   EXPECT_EQ(contentsOf(old), std::string(1000, 'x'));
+}
+
+TEST(WholeFile, IsReadByteForByte) {
+  const Folder folder;
+  const std::string bytes("one\r\n\0two", 9);
+  EXPECT_EQ(readWholeFile(folder.write("a.csv", bytes), "cannot read", "a file"), bytes);
+  EXPECT_EQ(readWholeFile(folder.write("empty", ""), "cannot read", "a file"), "");
+}
+
+TEST(WholeFile, ThatCannotBeReadIsRefusedWithTheReasonAndWhatIsAllowed) {
+  const Folder folder;
+  const fs::path nowhere = folder / "nowhere";
+  try {
+    readWholeFile(nowhere, "--log: cannot read", "a log");
+    ADD_FAILURE() << "it was read";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), "--log: cannot read '" + nowhere.string() + "': No such file or directory; allowed: a log");
+  }
+  EXPECT_THROW(readWholeFile(folder.path(), "", ""), InputError);
 }
 
 TEST(WholeFile, MayHaveTheLongestName) {

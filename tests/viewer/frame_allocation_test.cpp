@@ -11,15 +11,15 @@ TEST_F(ViewerTest, AFrameAllocatesNothingButForTheCopiesOfTheLastSeconds) {
   tap(' ');
   press('W');  // the camera moves too
   frames(60);  // the first frames may set up what a scene needs
-  const double from = viewer_.time();
+  const double from = viewer_.run().shown().time();
   int allocating = 0;
   for (int frame = 0; frame < 120; ++frame) {
     const long before = allocations;
     frames(1);
     if (allocations != before) ++allocating;
   }
-  EXPECT_GT(viewer_.time(), from + 1);
-  EXPECT_LE(allocating, 1 + int((viewer_.time() - from) / 0.25));
+  EXPECT_GT(viewer_.run().shown().time(), from + 1);
+  EXPECT_LE(allocating, 1 + int((viewer_.run().shown().time() - from) / 0.25));
 }
 
 }  // namespace

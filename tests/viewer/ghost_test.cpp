@@ -78,7 +78,7 @@ TEST(Ghost, ChangesItsWorldWithTheLiveCloth) {
   live.tick(20), followFully(same, live), followFully(reference, live);
   Scene moon = poke();
   moon.gravity = {0, -1.62, 0}, moon.bend.ks = 50, moon.tolerance = 0.1;
-  live.useWorld(moon);
+  live.useLiveParameters(moon);
   live.tick(60), followFully(same, live), followFully(reference, live);
   EXPECT_EQ(same.gap()->largest, 0);
   constexpr double kOfTheMethod = 1e-3;  // of the size, what leapfrog is off at this step

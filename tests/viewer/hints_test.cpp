@@ -3,20 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <string>
+
+#include "files.h"
 
 namespace tyg {
 namespace {
 
 class HintsTest : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::remove_all(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  const std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) /
-      (std::string("tyg_hints_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  const Folder folder_;
   const std::filesystem::path file_ = folder_ / "state" / "hints";
 };
 
@@ -24,7 +20,7 @@ TEST_F(HintsTest, TheFirstHintIsToPokeAndFollowingItBringsTheNext) {
   Hints hints(file_);
   const std::string first(hints.show(0));
   EXPECT_NE(first.find("poke"), std::string::npos);
-  hints.did(Hints::Deed::Poke);
+  hints.did(Hints::Topic::Poke);
   EXPECT_NE(hints.show(1), first);
   EXPECT_FALSE(hints.show(1).empty());
 }
@@ -40,7 +36,7 @@ TEST_F(HintsTest, AHintThatNobodyFollowsGoesAwayByItself) {
 TEST_F(HintsTest, WhatWasSeenDoesNotComeAgainInAnotherRun) {
   {
     Hints hints(file_);
-    hints.did(Hints::Deed::Poke), hints.did(Hints::Deed::Chart), hints.did(Hints::Deed::Ghost);
+    hints.did(Hints::Topic::Poke), hints.did(Hints::Topic::Chart), hints.did(Hints::Topic::Ghost);
   }
   Hints later(file_);
   EXPECT_TRUE(later.show(0).empty());
@@ -49,14 +45,13 @@ TEST_F(HintsTest, WhatWasSeenDoesNotComeAgainInAnotherRun) {
 TEST_F(HintsTest, WithoutAFileThereAreNone) {
   Hints hints(std::nullopt);
   EXPECT_TRUE(hints.show(0).empty());
-  hints.did(Hints::Deed::Ghost);
+  hints.did(Hints::Topic::Ghost);
 }
 
 TEST_F(HintsTest, AFolderThatCannotBeMadeOnlyBringsThemAgain) {
-  std::filesystem::create_directories(folder_);
-  std::ofstream(folder_ / "state") << "a file where a folder should be";
+  folder_.write("state", "a file where a folder should be");
   Hints hints(file_);
-  hints.did(Hints::Deed::Poke);
+  hints.did(Hints::Topic::Poke);
   EXPECT_FALSE(hints.show(0).empty());
   EXPECT_NE(Hints(file_).show(0).find("poke"), std::string_view::npos);
 }

@@ -50,7 +50,7 @@ TEST_F(HistoryTest, EveryMomentComesBackWithTheSameBits) {
 
 TEST_F(HistoryTest, TheWayBackToTheNewestMomentEndsWhereItBegan) {
   simulation_.push(3, {1, 0, 0}, 20);  // to act from the next tick on
-  const PushLog record = history_.record(simulation_);
+  const EventLog record = history_.record(simulation_);
   goTo(50);
   EXPECT_EQ(history_.record(simulation_), record);
   goTo(kTicks);
@@ -75,7 +75,7 @@ TEST_F(HistoryTest, GoingOnFromAPastMomentForgetsWhatCameAfter) {
   history_.cut(simulation_);
   history_.tick(simulation_, 10);
   EXPECT_FALSE(history_.past());
-  const PushLog record = history_.record(simulation_);
+  const EventLog record = history_.record(simulation_);
   EXPECT_EQ(record.ticks, 460);
   EXPECT_EQ(record.events.size(), 2U);  // the push at 100, the method at 300
   goTo(455);

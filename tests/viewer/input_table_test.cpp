@@ -40,17 +40,17 @@ TEST(InputTable, KeysOfTheContractDoWhatItSays) {
 TEST(InputTable, AnUnusedKeyDoesNothing) { EXPECT_EQ(findInput('`'), nullptr); }
 
 TEST(InputTable, NumberKeysChooseMethodsInOrder) {
-  EXPECT_EQ(methodPlace('1'), 0U);
-  EXPECT_EQ(methodPlace('9'), 8U);
-  EXPECT_EQ(methodPlace('0'), 9U);
-  EXPECT_EQ(methodPlace('-'), 10U);
+  EXPECT_EQ(methodSlot('1'), 0U);
+  EXPECT_EQ(methodSlot('9'), 8U);
+  EXPECT_EQ(methodSlot('0'), 9U);
+  EXPECT_EQ(methodSlot('-'), 10U);
 }
 
 TEST(InputTable, HelpNamesEveryKeyButThoseOfferedElsewhereAndOfMissingMethods) {
   std::string help;
   for (const HelpLine& line : helpLines(kThreeMethods)) help += line.keys + " ";
   for (const Input& input : inputTable()) {
-    const bool missing = input.action == InputAction::ChooseMethod && methodPlace(input.key) >= kThreeMethods.size();
+    const bool missing = input.action == InputAction::ChooseMethod && methodSlot(input.key) >= kThreeMethods.size();
     const bool named = (" " + help).find(" " + std::string(input.keyName) + " ") != std::string::npos;
     EXPECT_EQ(named, !missing && !input.help.empty()) << input.keyName;
   }

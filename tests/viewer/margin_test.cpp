@@ -39,7 +39,7 @@ TEST(Margin, FollowsMethodAndStep) {
   Simulation simulation(loadScene("curtain", methodNames()), findMethod("rk4"), {.threads = 1});
   double now = 0;
   MarginWatch watch;
-  const auto look = [&] { watch.look(simulation, [&now] { return now += 1e-3; }); };
+  const auto look = [&] { watch.update(simulation, [&now] { return now += 1e-3; }); };
   look();
   EXPECT_EQ(watch.margin().step, 0.002);
   EXPECT_EQ(watch.margin().rest, restLatticeLimit(simulation.scene(), findMethod("rk4")));
@@ -65,7 +65,7 @@ TEST(Margin, ShrinksWhileTheClothIsStretched) {
   const auto ticks = [&](int count) {
     for (int tick = 0; tick < count; ++tick) {
       simulation.tick();
-      watch.look(simulation, [&now] { return now += 1; });
+      watch.update(simulation, [&now] { return now += 1; });
     }
   };
   ticks(15);
@@ -84,7 +84,7 @@ TEST(Margin, TakesNoMoreThanATwentiethOfTheTimeToKnow) {
     simulation.tick();
     now += 0.004;
     const double before = now;
-    watch.look(simulation, [&now] { return now += 0.002; });  // each look at the clock finds it later
+    watch.update(simulation, [&now] { return now += 0.002; });  // each look at the clock finds it later
     if (now > before + 0.003) inside += 0.002;
   }
   EXPECT_GT(watch.margin().cost, 0);

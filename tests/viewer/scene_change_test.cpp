@@ -46,51 +46,51 @@ class SceneUse : public testing::Test {
 TEST_F(SceneUse, AStepGoesOnWhereTheClothIs) {
   viewer_.perform(InputAction::StartOrPause);
   run(10);
-  const double time = viewer_.time();
-  Scene half = viewer_.scene();
+  const double time = viewer_.run().shown().time();
+  Scene half = viewer_.scenes().scene();
   half.dt *= 0.5;
-  EXPECT_EQ(viewer_.use(half), SceneChange::Live);
-  EXPECT_EQ(viewer_.simulation().dt(), half.dt);
-  EXPECT_EQ(viewer_.time(), time);
-  EXPECT_EQ(viewer_.use(half), SceneChange::None);
+  EXPECT_EQ(viewer_.scenes().use(half), SceneChange::Live);
+  EXPECT_EQ(viewer_.run().simulation().dt(), half.dt);
+  EXPECT_EQ(viewer_.run().shown().time(), time);
+  EXPECT_EQ(viewer_.scenes().use(half), SceneChange::None);
 }
 
 TEST_F(SceneUse, OtherGravityActsOnTheMovingClothAndGoesBackWithIt) {
   viewer_.perform(InputAction::StartOrPause);
   run(20);
-  const double time = viewer_.time();
-  Scene up = viewer_.scene();
+  const double time = viewer_.run().shown().time();
+  Scene up = viewer_.scenes().scene();
   up.gravity = {0, 9.81, 0};
-  EXPECT_EQ(viewer_.use(up), SceneChange::Live);
-  EXPECT_EQ(viewer_.time(), time);
-  EXPECT_EQ(viewer_.simulation().scene().gravity, up.gravity);
+  EXPECT_EQ(viewer_.scenes().use(up), SceneChange::Live);
+  EXPECT_EQ(viewer_.run().shown().time(), time);
+  EXPECT_EQ(viewer_.run().simulation().scene().gravity, up.gravity);
   run(20);
-  viewer_.turnToTime(time / 2);
+  viewer_.run().turnToTime(time / 2);
   run(3);
-  EXPECT_EQ(viewer_.scene().gravity, curtain().gravity);
-  EXPECT_EQ(viewer_.simulation().scene().gravity, curtain().gravity);
+  EXPECT_EQ(viewer_.scenes().scene().gravity, curtain().gravity);
+  EXPECT_EQ(viewer_.run().simulation().scene().gravity, curtain().gravity);
   viewer_.perform(InputAction::Restart);
-  EXPECT_EQ(viewer_.simulation().scene().gravity, curtain().gravity);
+  EXPECT_EQ(viewer_.run().simulation().scene().gravity, curtain().gravity);
 }
 
 TEST_F(SceneUse, AnotherSceneRunsOnFromItsStart) {
   viewer_.perform(InputAction::StartOrPause);
   run(10);
-  EXPECT_EQ(viewer_.use(loadScene("flag", methodNames())), SceneChange::NewSheet);
-  EXPECT_EQ(viewer_.time(), 0);
-  EXPECT_EQ(viewer_.state(), RunState::Running);
-  EXPECT_EQ(viewer_.sheetsSoFar(), 2);
-  EXPECT_EQ(viewer_.positions().size(), std::size_t(3 * viewer_.simulation().sheet().count()));
+  EXPECT_EQ(viewer_.scenes().use(loadScene("flag", methodNames())), SceneChange::NewSheet);
+  EXPECT_EQ(viewer_.run().shown().time(), 0);
+  EXPECT_EQ(viewer_.run().state(), RunState::Running);
+  EXPECT_EQ(viewer_.scenes().sheetsSoFar(), 2);
+  EXPECT_EQ(viewer_.run().shown().positions().size(), std::size_t(3 * viewer_.run().simulation().sheet().count()));
   run(10);
-  EXPECT_GT(viewer_.time(), 0);
+  EXPECT_GT(viewer_.run().shown().time(), 0);
 }
 
 TEST_F(SceneUse, ASceneThatDoesNotFitTogetherChangesNothing) {
-  Scene broken = viewer_.scene();
+  Scene broken = viewer_.scenes().scene();
   broken.pins = {Place{.name = "", .column = 99, .row = 0}};
-  EXPECT_EQ(viewer_.use(broken), SceneChange::None);
-  EXPECT_EQ(viewer_.scene(), curtain());
-  EXPECT_FALSE(viewer_.note().empty());
+  EXPECT_EQ(viewer_.scenes().use(broken), SceneChange::None);
+  EXPECT_EQ(viewer_.scenes().scene(), curtain());
+  EXPECT_FALSE(viewer_.notes().text().empty());
 }
 
 }  // namespace

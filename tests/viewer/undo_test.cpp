@@ -1,12 +1,10 @@
-// Undo and redo, the way back to the scene's own values, and files that take no other file's place.
+// Undo and redo, and the way back to the scene's own values.
 #include "viewer/edits.h"
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
+#include "files.h"
 #include "tyg/methods.h"
-#include "util/file_names.h"
 
 namespace tyg {
 namespace {
@@ -58,38 +56,38 @@ class EditsTest : public testing::Test {
 };
 
 TEST_F(EditsTest, EveryKindOfChangeIsUndoneAndDoneAgain) {
-  const Scene first = viewer_.scene();
+  const Scene first = viewer_.scenes().scene();
   viewer_.perform(InputAction::SmallerStep), edits_.follow(viewer_);
-  viewer_.use(withSheet(viewer_.scene(), 8, 6)), edits_.follow(viewer_);
-  viewer_.setPushFactor(3), edits_.follow(viewer_);
-  const Scene last = viewer_.scene();
+  viewer_.scenes().use(withSheet(viewer_.scenes().scene(), 8, 6)), edits_.follow(viewer_);
+  viewer_.tools().setStrength(3), edits_.follow(viewer_);
+  const Scene last = viewer_.scenes().scene();
   for (int k = 0; k < 3; ++k) edits_.undo(viewer_), edits_.follow(viewer_);
-  EXPECT_EQ(viewer_.scene(), first);
-  EXPECT_EQ(viewer_.pushFactor(), 1);
+  EXPECT_EQ(viewer_.scenes().scene(), first);
+  EXPECT_EQ(viewer_.tools().strength(), 1);
   EXPECT_FALSE(edits_.canUndo());
   for (int k = 0; k < 3; ++k) edits_.redo(viewer_), edits_.follow(viewer_);
-  EXPECT_EQ(viewer_.scene(), last);
-  EXPECT_EQ(viewer_.simulation().sheet().count(), 48);
-  EXPECT_EQ(viewer_.pushFactor(), 3);
+  EXPECT_EQ(viewer_.scenes().scene(), last);
+  EXPECT_EQ(viewer_.run().simulation().sheet().count(), 48);
+  EXPECT_EQ(viewer_.tools().strength(), 3);
 }
 
 TEST_F(EditsTest, ResetGoesBackToTheScenesOwnValuesAndCanItselfBeUndone) {
-  const Scene first = viewer_.scene();
+  const Scene first = viewer_.scenes().scene();
   Scene heavy = first;
   heavy.gravity.y *= 2;
-  viewer_.use(heavy), edits_.follow(viewer_);
+  viewer_.scenes().use(heavy), edits_.follow(viewer_);
   edits_.reset(viewer_), edits_.follow(viewer_);
-  EXPECT_EQ(viewer_.scene(), first);
+  EXPECT_EQ(viewer_.scenes().scene(), first);
   edits_.undo(viewer_);
-  EXPECT_EQ(viewer_.scene(), heavy);
+  EXPECT_EQ(viewer_.scenes().scene(), heavy);
 }
 
 TEST_F(EditsTest, ResetTakesBackThePushAloneAsWell) {
   EXPECT_FALSE(edits_.canReset(viewer_));
-  viewer_.setPushFactor(3), edits_.follow(viewer_);
+  viewer_.tools().setStrength(3), edits_.follow(viewer_);
   EXPECT_TRUE(edits_.canReset(viewer_));
   edits_.reset(viewer_);
-  EXPECT_EQ(viewer_.pushFactor(), 1);
+  EXPECT_EQ(viewer_.tools().strength(), 1);
   EXPECT_FALSE(edits_.canReset(viewer_));
 }
 
@@ -97,14 +95,14 @@ TEST(Edits, AHeldKeyIsOneChange) {
   double now = 0;
   Viewer viewer(loadScene("curtain", methodNames()), Settings{.threads = 1}, [&now] { return now; });
   Edits edits(viewer);
-  const double dt = viewer.scene().dt;
+  const double dt = viewer.scenes().scene().dt;
   viewer.handle({.kind = WindowEvent::Kind::Press, .key = ']'});
   for (int frame = 0; frame < 60; ++frame) now += 1.0 / 60, viewer.frame(), edits.follow(viewer);
   viewer.handle({.kind = WindowEvent::Kind::Release, .key = ']'});
   edits.follow(viewer);
-  EXPECT_GT(viewer.scene().dt, 1.5 * dt);
+  EXPECT_GT(viewer.scenes().scene().dt, 1.5 * dt);
   edits.undo(viewer);
-  EXPECT_EQ(viewer.scene().dt, dt);
+  EXPECT_EQ(viewer.scenes().scene().dt, dt);
   EXPECT_FALSE(edits.canUndo());
 }
 
@@ -117,24 +115,12 @@ TEST(Edits, WhatThePastWasSetToIsNoChange) {
   };
   viewer.perform(InputAction::StartOrPause), frames(30);
   viewer.perform(InputAction::SmallerStep), frames(30);
-  viewer.turnToTime(0.1), frames(3);
-  ASSERT_TRUE(viewer.timeline().past);
-  ASSERT_EQ(viewer.scene().dt, loadScene("curtain").dt);
+  viewer.run().turnToTime(0.1), frames(3);
+  ASSERT_TRUE(viewer.run().timeline().past);
+  ASSERT_EQ(viewer.scenes().scene().dt, loadScene("curtain").dt);
   edits.undo(viewer), frames(1);
   EXPECT_FALSE(edits.canUndo());
   EXPECT_TRUE(edits.canRedo());
-}
-
-TEST(FreeName, TakesNoOtherFilesPlace) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "tyg_free_name";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directory(folder);
-  EXPECT_EQ(freeName(folder, "a", ".toml"), folder / "a.toml");
-  std::ofstream(folder / "a.toml") << "x";
-  EXPECT_EQ(freeName(folder, "a", ".toml"), folder / "a-2.toml");
-  std::ofstream(folder / "a-2.toml") << "x";
-  EXPECT_EQ(freeName(folder, "a", ".toml"), folder / "a-3.toml");
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

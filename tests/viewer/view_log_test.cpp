@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <string>
+
+#include "files.h"
 
 namespace tyg {
 namespace {
@@ -17,13 +17,9 @@ constexpr const char* kHeader =
 
 class ViewLogTest : public testing::Test {
  protected:
-  ~ViewLogTest() override { std::filesystem::remove(path_); }
-  [[nodiscard]] std::string contents() const {
-    std::ifstream file(path_);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-  std::filesystem::path path_ = std::filesystem::temp_directory_path() /
-                                (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".csv");
+  [[nodiscard]] std::string contents() const { return contentsOf(path_); }
+  const Folder folder_;
+  const std::filesystem::path path_ = folder_ / "view.csv";
 };
 
 TEST_F(ViewLogTest, AnEmptyLogHoldsTheHeader) {
@@ -77,7 +73,7 @@ TEST_F(ViewLogTest, TheWidestLineFits) {
 }
 
 TEST_F(ViewLogTest, ANewLogReplacesAnOldOne) {
-  std::ofstream(path_) << "something else\n";
+  folder_.write("view.csv", "something else\n");
   const ViewLog log(path_);
   EXPECT_EQ(contents(), kHeader);
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/simulation/world.h"
+#include "core/simulation/live_parameters.h"
 #include "study/limits/stability.h"
 #include "util/text.h"
 #include "viewer/viewer_fixture.h"
@@ -23,124 +23,124 @@ class WildViewerTest : public ViewerTest {
   WildViewerTest() : ViewerTest(wild()) {}
   void runUntilFrozen() {
     tap(' ');
-    for (int frame = 0; frame < 600 && viewer_.state() == RunState::Running; ++frame) frames(1);
+    for (int frame = 0; frame < 600 && viewer_.run().state() == RunState::Running; ++frame) frames(1);
   }
 };
 
 TEST_F(WildViewerTest, AnUnstableClothFreezesAtItsLastGoodFrame) {
   runUntilFrozen();
-  ASSERT_EQ(viewer_.state(), RunState::Frozen);
-  for (const float coordinate : viewer_.positions()) ASSERT_LT(std::abs(coordinate), 10);
-  EXPECT_LT(viewer_.time(), viewer_.simulation().time());
+  ASSERT_EQ(viewer_.run().state(), RunState::Frozen);
+  for (const float coordinate : viewer_.run().shown().positions()) ASSERT_LT(std::abs(coordinate), 10);
+  EXPECT_LT(viewer_.run().shown().time(), viewer_.run().simulation().time());
   EXPECT_NE(viewer_.logLine().alarm, "ok");
 }
 
 TEST_F(WildViewerTest, TheMessageNamesMethodStepAndTime) {
   runUntilFrozen();
   for (const char* word : {"rk4", "50 ms", " s: "}) {
-    EXPECT_NE(viewer_.message().find(word), std::string::npos) << viewer_.message();
+    EXPECT_NE(viewer_.run().failure().message.find(word), std::string::npos) << viewer_.run().failure().message;
   }
 }
 
 TEST_F(WildViewerTest, AFrozenClothStaysFrozenUntilRestartedWithTheChosenMethod) {
   runUntilFrozen();
-  const double then = viewer_.time();
+  const double then = viewer_.run().shown().time();
   tap(' '), tap('.'), clickOnCloth(), tap('2');
   frames(5);
-  EXPECT_EQ(viewer_.state(), RunState::Frozen);
-  EXPECT_EQ(viewer_.time(), then);
+  EXPECT_EQ(viewer_.run().state(), RunState::Frozen);
+  EXPECT_EQ(viewer_.run().shown().time(), then);
   tap('R');
-  EXPECT_EQ(viewer_.state(), RunState::Waiting);
-  EXPECT_EQ(viewer_.simulation().method().name, "symplectic-euler");
-  EXPECT_EQ(viewer_.simulation().status(), Status::Ok);
+  EXPECT_EQ(viewer_.run().state(), RunState::Waiting);
+  EXPECT_EQ(viewer_.run().simulation().method().name, "symplectic-euler");
+  EXPECT_EQ(viewer_.run().simulation().status(), Status::Ok);
 }
 
 TEST_F(WildViewerTest, TheMessageNamesTheLimitAndTheWaysOut) {
   runUntilFrozen();
-  ASSERT_TRUE(viewer_.cure());
+  ASSERT_TRUE(viewer_.run().failure().cure);
   for (const char* words : {"its limit is 4.26 ms", "take a step of 3.8 ms", "which holds with this step"}) {
-    EXPECT_NE(viewer_.message().find(words), std::string::npos) << viewer_.message();
+    EXPECT_NE(viewer_.run().failure().message.find(words), std::string::npos) << viewer_.run().failure().message;
   }
 }
 
 TEST_F(WildViewerTest, TheSafeStepGoesOnFromBeforeTheFailureAndHolds) {
   runUntilFrozen();
-  const double then = viewer_.time();
+  const double then = viewer_.run().shown().time();
   tap('V');
-  EXPECT_EQ(viewer_.state(), RunState::Running);
-  EXPECT_LE(viewer_.time(), then);
-  EXPECT_EQ(viewer_.simulation().dt(), 0.0038);
+  EXPECT_EQ(viewer_.run().state(), RunState::Running);
+  EXPECT_LE(viewer_.run().shown().time(), then);
+  EXPECT_EQ(viewer_.run().simulation().dt(), 0.0038);
   frames(200);
-  EXPECT_EQ(viewer_.state(), RunState::Running);
-  EXPECT_GT(viewer_.time(), then + 2);
-  EXPECT_EQ(viewer_.simulation().status(), Status::Ok);
+  EXPECT_EQ(viewer_.run().state(), RunState::Running);
+  EXPECT_GT(viewer_.run().shown().time(), then + 2);
+  EXPECT_EQ(viewer_.run().simulation().status(), Status::Ok);
 }
 
 TEST_F(WildViewerTest, AMethodThatHoldsGoesOnWithTheSameStep) {
   runUntilFrozen();
-  const Method* other = viewer_.cure()->method;
+  const Method* other = viewer_.run().failure().cure->method;
   ASSERT_NE(other, nullptr);
   tap('M');
-  EXPECT_EQ(&viewer_.simulation().method(), other);
-  EXPECT_EQ(viewer_.simulation().dt(), 0.05);
+  EXPECT_EQ(&viewer_.run().simulation().method(), other);
+  EXPECT_EQ(viewer_.run().simulation().dt(), 0.05);
   frames(100);
-  EXPECT_EQ(viewer_.state(), RunState::Running);
+  EXPECT_EQ(viewer_.run().state(), RunState::Running);
 }
 
 TEST_F(WildViewerTest, RunsOnPastItsAlarmWhenToldToAndComesBack) {
   runUntilFrozen();
-  const double then = viewer_.time();
+  const double then = viewer_.run().shown().time();
   tap(kEnterKey);
   frames(5);
-  EXPECT_GT(viewer_.simulation().time(), then);
-  for (int frame = 0; frame < 2000 && viewer_.state() == RunState::Running; ++frame) frames(1);
-  EXPECT_EQ(viewer_.state(), RunState::Frozen);  // out of the range of the numbers
+  EXPECT_GT(viewer_.run().simulation().time(), then);
+  for (int frame = 0; frame < 2000 && viewer_.run().state() == RunState::Running; ++frame) frames(1);
+  EXPECT_EQ(viewer_.run().state(), RunState::Frozen);  // out of the range of the numbers
   tap(kEnterKey);
-  EXPECT_EQ(viewer_.state(), RunState::Frozen);
+  EXPECT_EQ(viewer_.run().state(), RunState::Frozen);
   tap('V');
-  EXPECT_LE(viewer_.time(), then);
+  EXPECT_LE(viewer_.run().shown().time(), then);
   frames(60);
-  EXPECT_EQ(viewer_.state(), RunState::Running);
+  EXPECT_EQ(viewer_.run().state(), RunState::Running);
 }
 
 TEST_F(WildViewerTest, AFrozenClothStepsBackAndOnAgain) {
   runUntilFrozen();
-  const double then = viewer_.time();
+  const double then = viewer_.run().shown().time();
   tap(',');
-  EXPECT_EQ(viewer_.state(), RunState::Paused);
-  EXPECT_NEAR(viewer_.time(), then - 0.05, 1e-9);
-  EXPECT_TRUE(viewer_.message().empty());
+  EXPECT_EQ(viewer_.run().state(), RunState::Paused);
+  EXPECT_NEAR(viewer_.run().shown().time(), then - 0.05, 1e-9);
+  EXPECT_TRUE(viewer_.run().failure().message.empty());
   tap('.');
-  EXPECT_EQ(viewer_.time(), then);
-  for (int step = 0; step < 100 && viewer_.state() == RunState::Paused; ++step) tap('.');
-  EXPECT_EQ(viewer_.state(), RunState::Frozen);
+  EXPECT_EQ(viewer_.run().shown().time(), then);
+  for (int step = 0; step < 100 && viewer_.run().state() == RunState::Paused; ++step) tap('.');
+  EXPECT_EQ(viewer_.run().state(), RunState::Frozen);
 }
 
 TEST_F(WildViewerTest, AReplayRunsSlowlyIntoTheFailureAgain) {
   runUntilFrozen();
-  const double then = viewer_.time();
+  const double then = viewer_.run().shown().time();
   tap('J');
-  EXPECT_EQ(viewer_.state(), RunState::Running);
-  EXPECT_LT(viewer_.speed(), 1);
-  const double from = viewer_.time();
+  EXPECT_EQ(viewer_.run().state(), RunState::Running);
+  EXPECT_LT(viewer_.run().speed(), 1);
+  const double from = viewer_.run().shown().time();
   EXPECT_LT(from, then);
   frames(60);
-  EXPECT_LE(viewer_.time(), from + 0.125 + 0.05);  // a second at an eighth of the speed, and a tick
-  for (int frame = 0; frame < 2000 && viewer_.state() == RunState::Running; ++frame) frames(1);
-  EXPECT_NE(viewer_.state(), RunState::Running);
-  EXPECT_GE(viewer_.time(), then);
-  EXPECT_EQ(viewer_.speed(), 1);
+  EXPECT_LE(viewer_.run().shown().time(), from + 0.125 + 0.05);  // a second at an eighth of the speed, and a tick
+  for (int frame = 0; frame < 2000 && viewer_.run().state() == RunState::Running; ++frame) frames(1);
+  EXPECT_NE(viewer_.run().state(), RunState::Running);
+  EXPECT_GE(viewer_.run().shown().time(), then);
+  EXPECT_EQ(viewer_.run().speed(), 1);
 }
 
 TEST_F(WildViewerTest, ARecordOfACuredRunReplaysToTheSameHash) {
   runUntilFrozen();
   tap('V');
   frames(30);
-  const PushLog log = viewer_.record();
+  const EventLog log = viewer_.run().record();
   Simulation again(wild(), findMethod(log.integrator), {.threads = 1});
   again.replay(log, methods());
   again.tick(log.ticks);
-  EXPECT_EQ(again.hash(), viewer_.simulation().hash());
+  EXPECT_EQ(again.hash(), viewer_.run().simulation().hash());
 }
 
 /// Half a second of rk4, then a step, springs and a method that do not go with each other.
@@ -149,73 +149,74 @@ class MischosenViewerTest : public ViewerTest {
   MischosenViewerTest() {
     tap(' ');
     frames(30);
-    stiff_ = viewer_.scene();
+    stiff_ = viewer_.scenes().scene();
     stiff_.dt = 0.003, stiff_.bend.ks *= 1.5, stiff_.gravity.y *= 0.5;
-    viewer_.use(stiff_);
+    viewer_.scenes().use(stiff_);
     tap('1');  // explicit-euler
-    stiff_.integrator = viewer_.method().name;
-    for (int frame = 0; frame < 600 && viewer_.state() == RunState::Running; ++frame) frames(1);
+    stiff_.integrator = viewer_.scenes().method().name;
+    for (int frame = 0; frame < 600 && viewer_.run().state() == RunState::Running; ++frame) frames(1);
   }
   Scene stiff_;
 };
 
 TEST_F(MischosenViewerTest, ACureIsForTheMethodTheStepAndTheWorldThatFailed) {
-  ASSERT_EQ(viewer_.state(), RunState::Frozen);
+  ASSERT_EQ(viewer_.run().state(), RunState::Frozen);
   const double limit = restLatticeLimit(stiff_, findMethod("explicit-euler"));
   ASSERT_LT(limit, stiff_.dt);
-  EXPECT_EQ(viewer_.margin().limit, limit);
-  EXPECT_EQ(viewer_.cure()->step, safeStep(limit));
-  EXPECT_NE(viewer_.message().find(formatted(": its limit is %.3g ms; take", 1e3 * limit)), std::string::npos)
-      << viewer_.message();
+  EXPECT_EQ(viewer_.run().margin().limit, limit);
+  EXPECT_EQ(viewer_.run().failure().cure->step, safeStep(limit));
+  EXPECT_NE(viewer_.run().failure().message.find(formatted(": its limit is %.3g ms; take", 1e3 * limit)),
+            std::string::npos)
+      << viewer_.run().failure().message;
 }
 
 TEST_F(MischosenViewerTest, ACuredRunHasTheSettingsThatFailedAndTheCure) {
-  ASSERT_LT(viewer_.time(), 0.75) << "chosen within what a cure goes back";
-  stiff_.dt = viewer_.cure()->step;
+  ASSERT_LT(viewer_.run().shown().time(), 0.75) << "chosen within what a cure goes back";
+  stiff_.dt = viewer_.run().failure().cure->step;
   tap('V');
-  EXPECT_EQ(viewer_.state(), RunState::Running);
-  EXPECT_EQ(viewer_.scene(), stiff_);
-  EXPECT_EQ(viewer_.simulation().method().name, "explicit-euler");
-  EXPECT_EQ(viewer_.simulation().dt(), stiff_.dt);
-  EXPECT_EQ(worldOf(viewer_.simulation().scene()), worldOf(stiff_));
+  EXPECT_EQ(viewer_.run().state(), RunState::Running);
+  EXPECT_EQ(viewer_.scenes().scene(), stiff_);
+  EXPECT_EQ(viewer_.run().simulation().method().name, "explicit-euler");
+  EXPECT_EQ(viewer_.run().simulation().dt(), stiff_.dt);
+  EXPECT_TRUE(sameLiveParameters(viewer_.run().simulation().scene(), stiff_));
   frames(60);
-  EXPECT_EQ(viewer_.state(), RunState::Running);
-  const PushLog log = viewer_.record();
+  EXPECT_EQ(viewer_.run().state(), RunState::Running);
+  const EventLog log = viewer_.run().record();
   Simulation again(curtain(), findMethod(log.integrator), {.threads = 1});
   again.replay(log, methods());
   again.tick(log.ticks);
-  EXPECT_EQ(again.hash(), viewer_.simulation().hash());
+  EXPECT_EQ(again.hash(), viewer_.run().simulation().hash());
 }
 
 TEST_F(MischosenViewerTest, WhatIsChosenWhileItIsFrozenIsShownAndCured) {
-  Scene chosen = viewer_.scene();
+  Scene chosen = viewer_.scenes().scene();
   chosen.integrator = "leapfrog", chosen.dt = 5e-4, chosen.drag = 0.01;
-  ASSERT_EQ(viewer_.use(chosen), SceneChange::Live);
+  ASSERT_EQ(viewer_.scenes().use(chosen), SceneChange::Live);
   frames(1);
   StepText step;
-  viewer_.describeStep(step);
+  viewer_.scenes().describeStep(step);
   EXPECT_STREQ(step.data(), "step of 0.5 ms");
-  EXPECT_EQ(viewer_.margin().step, 5e-4);
-  EXPECT_EQ(viewer_.margin().limit, restLatticeLimit(chosen, findMethod("leapfrog")));
-  EXPECT_EQ(viewer_.cure()->step, chosen.dt) << "it holds";
+  EXPECT_EQ(viewer_.run().margin().step, 5e-4);
+  EXPECT_EQ(viewer_.run().margin().limit, restLatticeLimit(chosen, findMethod("leapfrog")));
+  EXPECT_EQ(viewer_.run().failure().cure->step, chosen.dt) << "it holds";
   tap('V');
-  EXPECT_EQ(viewer_.scene(), chosen);
-  EXPECT_EQ(viewer_.simulation().scene().drag, 0.01);
+  EXPECT_EQ(viewer_.scenes().scene(), chosen);
+  EXPECT_EQ(viewer_.run().simulation().scene().drag, 0.01);
 }
 
 TEST_F(WildViewerTest, AButtonOfAMethodThatRefusesTheSceneSaysSo) {
   Scene axial = wild();
   axial.damping = Damping::Axial;
-  viewer_.use(axial);
+  viewer_.scenes().use(axial);
   runUntilFrozen();
-  ASSERT_EQ(viewer_.state(), RunState::Frozen);
+  ASSERT_EQ(viewer_.run().state(), RunState::Frozen);
   for (const char key : {'1', '2', '3', '4', '5', '6', '7', '8', '9'}) {
     tap(key);
-    if (viewer_.method().name == "imex") break;
+    if (viewer_.scenes().method().name == "imex") break;
   }
-  ASSERT_EQ(viewer_.method().name, "imex");
+  ASSERT_EQ(viewer_.scenes().method().name, "imex");
   EXPECT_NO_THROW(viewer_.perform(InputAction::Restart));
-  EXPECT_NE(viewer_.note().find("axial"), std::string::npos) << viewer_.note();
+  EXPECT_NE(viewer_.notes().text().find("axial"), std::string::npos) << viewer_.notes().text();
 }
 
 }  // namespace

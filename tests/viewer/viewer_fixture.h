@@ -31,13 +31,13 @@ class ViewerTest : public testing::Test {
   }
   /// A click on the middle of the cloth as it is seen now.
   void clickOnCloth() {
-    const auto xyz = viewer_.positions();
+    const auto xyz = viewer_.run().shown().positions();
     const std::size_t middle = 3 * 210;  // column 10, row 10 of the 20 x 20 curtain
-    const glm::vec4 clip = viewer_.camera().projection(1280.0F / 720) * viewer_.camera().view() *
+    const glm::vec4 clip = viewer_.view().camera().projection(1280.0F / 720) * viewer_.view().camera().view() *
                            glm::vec4(xyz[middle], xyz[middle + 1], xyz[middle + 2], 1);
     press(kLeftButton, 640 * (1 + double(clip.x / clip.w)), 360 * (1 - double(clip.y / clip.w)));
   }
-  [[nodiscard]] std::int64_t ticks() const { return viewer_.simulation().ticks(); }
+  [[nodiscard]] std::int64_t ticks() const { return viewer_.run().simulation().ticks(); }
 
   double now_ = 100;
   double look_ = 0;  ///< s that each look at the clock takes

@@ -17,13 +17,13 @@ TEST_F(ViewerTest, StepsBackTickByTickAndForwardAgainToTheSameState) {
   frames(30);
   tap(' ');
   const std::int64_t end = ticks();
-  const std::uint64_t hash = viewer_.simulation().hash();
+  const std::uint64_t hash = viewer_.run().simulation().hash();
   tap(','), tap(','), tap(',');
   EXPECT_EQ(ticks(), end - 3);
-  EXPECT_NE(viewer_.simulation().hash(), hash);
+  EXPECT_NE(viewer_.run().simulation().hash(), hash);
   tap('.'), tap('.'), tap('.');
   EXPECT_EQ(ticks(), end);
-  EXPECT_EQ(viewer_.simulation().hash(), hash);
+  EXPECT_EQ(viewer_.run().simulation().hash(), hash);
 }
 
 TEST_F(ViewerTest, AHeldKeyStepsOnAndOn) {
@@ -44,11 +44,11 @@ TEST_F(ViewerTest, ThePastCanBeLookedAtWithoutLosingTheRecord) {
   tap(' ');
   frames(30);
   tap(' ');
-  const PushLog record = viewer_.record();
-  viewer_.turnToTime(0.1);
-  EXPECT_NEAR(viewer_.time(), 0.1, 1e-9);
-  EXPECT_TRUE(viewer_.timeline().past);
-  EXPECT_EQ(viewer_.record(), record);
+  const EventLog record = viewer_.run().record();
+  viewer_.run().turnToTime(0.1);
+  EXPECT_NEAR(viewer_.run().shown().time(), 0.1, 1e-9);
+  EXPECT_TRUE(viewer_.run().timeline().past);
+  EXPECT_EQ(viewer_.run().record(), record);
 }
 
 TEST_F(ViewerTest, WhatIsKeptWithAPictureOfThePastEndsThere) {
@@ -56,25 +56,25 @@ TEST_F(ViewerTest, WhatIsKeptWithAPictureOfThePastEndsThere) {
   frames(30);
   tap(']');
   frames(30);
-  viewer_.turnToTime(0.1);
-  const PushLog log = viewer_.recordShown();
+  viewer_.run().turnToTime(0.1);
+  const EventLog log = viewer_.run().recordShown();
   EXPECT_EQ(log.ticks, ticks());
   EXPECT_TRUE(log.events.empty());
   Simulation again(curtain(), findMethod(log.integrator), {.threads = 1});
   again.replay(log, methods());
   again.tick(log.ticks);
-  EXPECT_EQ(again.hash(), viewer_.simulation().hash());
+  EXPECT_EQ(again.hash(), viewer_.run().simulation().hash());
   EXPECT_EQ(hashText(again), log.hash);
 }
 
 TEST_F(ViewerTest, SingleStepsThroughThePastShowWhatWasSetThen) {
-  const double dt = viewer_.simulation().dt();
+  const double dt = viewer_.run().simulation().dt();
   tap('.'), tap('.'), tap(']'), tap('.');
   tap(','), tap(',');
-  EXPECT_EQ(viewer_.scene().dt, dt);
+  EXPECT_EQ(viewer_.scenes().scene().dt, dt);
   tap('.'), tap('.');
-  EXPECT_EQ(viewer_.scene().dt, viewer_.simulation().dt());
-  EXPECT_NEAR(viewer_.scene().dt, 1.05 * dt, 1e-12);
+  EXPECT_EQ(viewer_.scenes().scene().dt, viewer_.run().simulation().dt());
+  EXPECT_NEAR(viewer_.scenes().scene().dt, 1.05 * dt, 1e-12);
 }
 
 TEST_F(ViewerTest, GoingOnFromThePastForgetsWhatCameAfter) {
@@ -83,72 +83,72 @@ TEST_F(ViewerTest, GoingOnFromThePastForgetsWhatCameAfter) {
   clickOnCloth();
   release(kLeftButton);
   frames(30);
-  viewer_.turnToTime(0.1);
+  viewer_.run().turnToTime(0.1);
   tap(' ');
   frames(1);
-  EXPECT_FALSE(viewer_.timeline().past);
-  EXPECT_LT(viewer_.time(), 0.2);
-  EXPECT_TRUE(viewer_.record().events.empty());
+  EXPECT_FALSE(viewer_.run().timeline().past);
+  EXPECT_LT(viewer_.run().shown().time(), 0.2);
+  EXPECT_TRUE(viewer_.run().record().events.empty());
 }
 
 TEST_F(ViewerTest, BracketsChangeTheStepAtOnceAndARestartKeepsIt) {
-  const double dt = viewer_.simulation().dt();
+  const double dt = viewer_.run().simulation().dt();
   tap(' ');
   frames(3);
   tap(']'), tap(']');
-  EXPECT_NEAR(viewer_.simulation().dt(), dt * 1.05 * 1.05, 1e-12);
+  EXPECT_NEAR(viewer_.run().simulation().dt(), dt * 1.05 * 1.05, 1e-12);
   tap('['), tap('['), tap('[');
-  const double smaller = viewer_.simulation().dt();
+  const double smaller = viewer_.run().simulation().dt();
   EXPECT_NEAR(smaller, dt / 1.05, 1e-12);
   tap('R');
-  EXPECT_EQ(viewer_.simulation().dt(), smaller);
+  EXPECT_EQ(viewer_.run().simulation().dt(), smaller);
 }
 
 TEST_F(ViewerTest, AStepThatIsDraggedPastItsLimitIsWarnedOfBeforeItBreaks) {
   tap(' ');
   bool close = false;
   press(']');
-  for (int frame = 0; frame < 600 && viewer_.state() == RunState::Running; ++frame) {
+  for (int frame = 0; frame < 600 && viewer_.run().state() == RunState::Running; ++frame) {
     frames(1);
-    close = close || viewer_.margin().band() == MarginBand::Close;
+    close = close || viewer_.run().margin().band() == MarginBand::Close;
   }
   release(']');
   EXPECT_TRUE(close);
-  EXPECT_EQ(viewer_.margin().band(), MarginBand::Past);
-  EXPECT_EQ(viewer_.state(), RunState::Frozen);
+  EXPECT_EQ(viewer_.run().margin().band(), MarginBand::Past);
+  EXPECT_EQ(viewer_.run().state(), RunState::Frozen);
 }
 
 TEST_F(ViewerTest, SlowMotionMakesTimeSlower) {
   tap(';'), tap(';');
-  EXPECT_EQ(viewer_.speed(), 0.25);
+  EXPECT_EQ(viewer_.run().speed(), 0.25);
   tap(' ');
   frames(60);
-  EXPECT_NEAR(viewer_.time(), 0.25, 0.01);
+  EXPECT_NEAR(viewer_.run().shown().time(), 0.25, 0.01);
   tap('\''), tap('\''), tap('\'');
-  EXPECT_EQ(viewer_.speed(), 1);
+  EXPECT_EQ(viewer_.run().speed(), 1);
 }
 
 TEST_F(ViewerTest, ASpeedThatIsChosenInAReplayOutlastsIt) {
   tap(' ');
   frames(90);
   tap('J'), tap('\''), tap('\'');
-  const double chosen = viewer_.speed();
+  const double chosen = viewer_.run().speed();
   EXPECT_EQ(chosen, 0.5);
-  for (int frame = 0; frame < 600 && viewer_.state() == RunState::Running; ++frame) frames(1);
-  EXPECT_EQ(viewer_.state(), RunState::Paused);
-  EXPECT_EQ(viewer_.speed(), chosen);
+  for (int frame = 0; frame < 600 && viewer_.run().state() == RunState::Running; ++frame) frames(1);
+  EXPECT_EQ(viewer_.run().state(), RunState::Paused);
+  EXPECT_EQ(viewer_.run().speed(), chosen);
 }
 
 TEST_F(ViewerTest, ARestartSurvivesARecordThatCannotBeKept) {
-  viewer_.onRunEnd([](const PushLog&) { throw InputError("the disk is full"); });
+  viewer_.run().onRunEnd([](const EventLog&) { throw InputError("the disk is full"); });
   tap('.');
   tap('R');
-  EXPECT_EQ(viewer_.state(), RunState::Waiting);
-  EXPECT_EQ(viewer_.time(), 0);
-  EXPECT_EQ(viewer_.note(), "the disk is full");
-  EXPECT_TRUE(viewer_.noteWarns());
-  viewer_.note("curtain.toml is kept.");
-  EXPECT_FALSE(viewer_.noteWarns());
+  EXPECT_EQ(viewer_.run().state(), RunState::Waiting);
+  EXPECT_EQ(viewer_.run().shown().time(), 0);
+  EXPECT_EQ(viewer_.notes().text(), "the disk is full");
+  EXPECT_TRUE(viewer_.notes().warns());
+  viewer_.notes().say("curtain.toml is kept.");
+  EXPECT_FALSE(viewer_.notes().warns());
 }
 
 /// Starts nearly as it will hang, and loses all motion within seconds.
@@ -165,18 +165,18 @@ class CalmViewerTest : public ViewerTest {
   CalmViewerTest() : ViewerTest(calm()) {}
   void runUntilAsleep() {
     tap(' ');
-    for (int frame = 0; frame < 1800 && !viewer_.asleep(); ++frame) frames(1);
+    for (int frame = 0; frame < 1800 && !viewer_.run().asleep(); ++frame) frames(1);
   }
 };
 
 TEST_F(CalmViewerTest, FallsAsleepWhenNothingMovesAndThenNoTicksPass) {
   runUntilAsleep();
-  ASSERT_TRUE(viewer_.asleep());
+  ASSERT_TRUE(viewer_.run().asleep());
   EXPECT_TRUE(viewer_.idle());
-  EXPECT_EQ(viewer_.state(), RunState::Running);
+  EXPECT_EQ(viewer_.run().state(), RunState::Running);
   for (int particle = 0; particle < 36; ++particle) {
-    const Vec3 v = viewer_.simulation().velocity(particle);
-    EXPECT_LT(std::hypot(v.x, v.y, v.z), Viewer::kStillSpeed);
+    const Vec3 v = viewer_.run().simulation().velocity(particle);
+    EXPECT_LT(std::hypot(v.x, v.y, v.z), SleepWatch::kStillSpeed);
   }
   const std::int64_t then = ticks();
   frames(100);
@@ -185,8 +185,8 @@ TEST_F(CalmViewerTest, FallsAsleepWhenNothingMovesAndThenNoTicksPass) {
 
 TEST_F(CalmViewerTest, AsleepItIsNotBehindRealTime) {
   tap(' ');
-  for (int frame = 0; frame < 1800 && !viewer_.asleep(); ++frame) frames(1, 0.3);
-  ASSERT_TRUE(viewer_.asleep());
+  for (int frame = 0; frame < 1800 && !viewer_.run().asleep(); ++frame) frames(1, 0.3);
+  ASSERT_TRUE(viewer_.run().asleep());
   EXPECT_TRUE(viewer_.pace().behind) << "it was, until then";
   EXPECT_FALSE(viewer_.behind());
 }
@@ -196,15 +196,15 @@ TEST_F(CalmViewerTest, WhateverChangesSomethingWakesItAtOnce) {
   const std::array<std::function<void()>, 4> deeds{[this] { tap(kLeftButton); }, [this] { tap('4'); },
                                                    [this] { tap(']'); }, [this] { tap(' '), tap(' '); }};
   for (const auto& deed : deeds) {
-    ASSERT_TRUE(viewer_.asleep());
-    const double then = viewer_.time();
+    ASSERT_TRUE(viewer_.run().asleep());
+    const double then = viewer_.run().shown().time();
     now_ += 1000;
     deed();
-    EXPECT_FALSE(viewer_.asleep());
+    EXPECT_FALSE(viewer_.run().asleep());
     frames(1);
-    EXPECT_GT(viewer_.time(), then);
-    EXPECT_LT(viewer_.time(), then + 0.1);  // the sleep is not made up
-    for (int frame = 0; frame < 1800 && !viewer_.asleep(); ++frame) frames(1);
+    EXPECT_GT(viewer_.run().shown().time(), then);
+    EXPECT_LT(viewer_.run().shown().time(), then + 0.1);  // the sleep is not made up
+    for (int frame = 0; frame < 1800 && !viewer_.run().asleep(); ++frame) frames(1);
   }
 }
 
@@ -213,11 +213,11 @@ TEST_F(CalmViewerTest, ItsSleepIsNoPartOfTheRecord) {
   frames(50);
   tap(kLeftButton);
   frames(50);
-  const PushLog log = viewer_.record();
+  const EventLog log = viewer_.run().record();
   Simulation again(calm(), findMethod(log.integrator), {.threads = 1});
   again.replay(log, methods());
   again.tick(log.ticks);
-  EXPECT_EQ(again.hash(), viewer_.simulation().hash());
+  EXPECT_EQ(again.hash(), viewer_.run().simulation().hash());
 }
 
 /// Its method chooses some hundred steps for each tick, and each look at the clock takes a second.
@@ -234,15 +234,16 @@ class StallingViewerTest : public ViewerTest {
 TEST_F(StallingViewerTest, NoFrameWaitsForATickThatDoesNotEnd) {
   tap(' ');
   frames(3, 0.5);
-  EXPECT_EQ(viewer_.state(), RunState::Frozen);
-  EXPECT_NE(viewer_.message().find("dopri54 came to a stand at 0.000 s"), std::string::npos) << viewer_.message();
+  EXPECT_EQ(viewer_.run().state(), RunState::Frozen);
+  EXPECT_NE(viewer_.run().failure().message.find("dopri54 came to a stand at 0.000 s"), std::string::npos)
+      << viewer_.run().failure().message;
   EXPECT_EQ(ticks(), 0);
   look_ = 0;
   tap('M');
   frames(3, 0.5);
-  EXPECT_EQ(viewer_.state(), RunState::Running);
-  EXPECT_NE(viewer_.method().name, "dopri54");
-  EXPECT_GT(viewer_.time(), 0);
+  EXPECT_EQ(viewer_.run().state(), RunState::Running);
+  EXPECT_NE(viewer_.scenes().method().name, "dopri54");
+  EXPECT_GT(viewer_.run().shown().time(), 0);
 }
 
 class PushedLaterViewerTest : public ViewerTest {
@@ -260,19 +261,20 @@ TEST_F(PushedLaterViewerTest, AClothWithAPushStillToComeStaysAwake) {
   tap(' ');
   for (int frame = 0; frame < 240; ++frame) {
     frames(1);
-    ASSERT_FALSE(viewer_.asleep());
+    ASSERT_FALSE(viewer_.run().asleep());
   }
-  EXPECT_GT(viewer_.time(), 3.5);
+  EXPECT_GT(viewer_.run().shown().time(), 3.5);
 }
 
 TEST_F(ViewerTest, ASafeStepIsNineTenthsOfTheLimitWhereNothingFailed) {
   frames(1);
   for (int k = 0; k < 2; ++k) {
     tap('V'), frames(1);
-    EXPECT_NEAR(viewer_.simulation().dt(), 0.9 * viewer_.margin().limit, 0.05 * viewer_.margin().limit);
+    EXPECT_NEAR(viewer_.run().simulation().dt(), 0.9 * viewer_.run().margin().limit,
+                0.05 * viewer_.run().margin().limit);
   }
   tap('M');
-  EXPECT_EQ(viewer_.method().name, "rk4") << "a method that holds is a way out of a failure";
+  EXPECT_EQ(viewer_.scenes().method().name, "rk4") << "a method that holds is a way out of a failure";
 }
 
 }  // namespace

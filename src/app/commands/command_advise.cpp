@@ -26,22 +26,24 @@ struct AdviseOptions {
 };
 
 constexpr const char* kExamples =
-    "A quick study runs the few settings of method, step and precision that are likely to be cheapest. Its choice is\n"
-    "then run once more against a reference that a second method agrees on, and timed. The error is the largest RMS\n"
-    "distance of all particles from the exact motion; the cost is computing time for a sixtieth of a second.\n"
-    "--integrator, --precision and --threads narrow the choice; --dt and --tolerance are not used.\n\n"
-    "Nothing is searched for that is more exact than the motion itself can be known, nor any run made that takes "
-    "longer\n"
-    "than what it simulates (or 1.5 s, or four of the cheapest run), nor one that costs more than the best found. The\n"
-    "built-in scenes take 1 to 15 s, the 77x77 sheet of fail-refined up to half a minute; larger sheets take longer "
-    "as\n"
-    "their runs do, a small part of it for small requests.\n\n"
-    "Examples:\n"
-    "  tyg advise curtain --error 1mm\n"
-    "  tyg advise flag --error 0.1% --write flag-advised.toml\n"
-    "  tyg advise curtain --sheet 200x200 --duration 0.5 --budget 4ms\n\n"
-    "Exit codes: 0 done; 1 the request cannot be met (the nearest is said), or there is no proof; 2 wrong input or\n"
-    "usage; 130 Ctrl-C.";
+    R"(A short study runs the settings of method, step and precision that are likely to be cheapest. The
+cheapest of them is then run once more: it is timed, and compared with a reference that a second
+method confirms. The error is the largest RMS distance of all particles from the exact motion. The
+cost is the computing time for a sixtieth of a second. --integrator, --precision and --threads
+narrow the choice; --dt and --tolerance are not used.
+
+The study ends where a smaller error could not be told from the error of the reference. It leaves
+out runs that take longer than what they simulate (or than 1.5 s, or than four times the cheapest
+run), and runs that cost more than the best choice so far. The built-in scenes take 1 to 15 s, the
+77x77 sheet of fail-refined up to half a minute. Larger sheets take longer.
+
+Examples:
+  tyg advise curtain --error 1mm
+  tyg advise flag --error 0.1% --write flag-advised.toml
+  tyg advise curtain --sheet 200x200 --duration 0.5 --budget 4ms
+
+Exit codes: 0 done; 1 the request cannot be met (the nearest choice is printed), or there is no
+proof; 2 wrong input or usage; 130 interrupted by Ctrl-C.)";
 
 Request requested(const AdviseOptions& options, const Scene& scene) {
   if (options.error.empty() == options.budget.empty()) {
@@ -78,10 +80,7 @@ Advice advised(const AdviseOptions& options, const Scene& scene, const Request& 
   plan.threads = threadChoices(options, scene);
   plan.cost = [&](const Scene& priced, int threads) { return meter.secondsPerUnit(priced, threads); };
   plan.clock = calibrationClock;
-  plan.observer = [&](double fraction) {
-    progress.show(fraction);
-    return !interrupted();
-  };
+  plan.observer = progress.part();
   return adviseOn(scene, plan);
 }
 
@@ -91,10 +90,7 @@ int advise(const AdviseOptions& options) {
   if (!options.write.empty()) checkWritable(options.write);
   const InterruptWatch watch;
   const Advice advice = advised(options, scene, request);
-  if (interrupted()) {
-    std::cerr << "tyg advise: interrupted; nothing was written" << std::endl;
-    return kInterrupted;
-  }
+  if (interrupted()) return sayInterrupted("tyg advise");
   if (!options.write.empty() && advice.promise) {
     writeWholeFile(options.write, sceneToToml(advice.promise->scene, adviceComment(scene, advice)));
   }
@@ -113,8 +109,10 @@ void addAdviseCommand(CLI::App& app, Action& action) {
   addSceneOptions(*command, options->scene);
   command->add_option("--error", options->error, "The largest error allowed: a length, or % of the sheet's size")
       ->type_name("1mm|1%");
-  command->add_option("--budget", options->budget, "Computing time allowed for each frame of 1/60 s")->type_name("4ms");
-  command->add_option("--write", options->write, "Save the scene with the choice")->type_name("FILE.toml");
+  command->add_option("--budget", options->budget, "The computing time allowed for each frame of 1/60 s")
+      ->type_name("4ms");
+  command->add_option("--write", options->write, "Write the scene with the advised settings to this file")
+      ->type_name("FILE.toml");
   command->add_flag("--json", options->json, "One JSON object on standard output instead of the lines");
   command->footer(kExamples);
   command->callback([options, &action] { action = [options] { return advise(*options); }; });

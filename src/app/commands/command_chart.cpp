@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <memory>
-#include <sstream>
+
+#include <fmt/core.h>
 
 #include "app/command_line.h"
 #include "app/commands/commands.h"
@@ -37,19 +37,20 @@ struct ChartOptions {
 };
 
 constexpr const char* kExamples =
-    "Every method runs with coarse to fine steps or tolerances (so --dt and --tolerance are not used), in float and "
-    "in\n"
-    "double, until its error cannot or need not shrink, or one run takes over a second (a tenth with --quick). Runs "
-    "that\n"
-    "fail stay in rows.csv with their status, and are crosses at the upper edge of the chart. Ctrl-C keeps the rows so "
-    "far.\n\n"
-    "Examples:\n"
-    "  tyg chart curtain                                  all methods, up to three minutes\n"
-    "  tyg chart curtain --quick --methods leapfrog,rk4   seconds\n"
-    "  tyg chart stiff --sheets 39x39 --error-range 1e-8:1\n"
-    "  tyg chart poke --horizon 0.5 --out poke\n"
-    "  tyg chart curtain --compare before/rows.csv        did my change help?\n\n"
-    "Exit codes: 0 done; 1 there is no reference to compare with; 2 wrong input or usage; 130 Ctrl-C.";
+    R"(Every method runs with large to small steps or tolerances (so --dt and --tolerance are not used),
+in float and in double. A method is done when its error cannot or need not become smaller, or when
+one run takes more than a second (a tenth of a second with --quick). Runs that fail stay in rows.csv
+with their status; on the chart they are crosses at the upper edge. Ctrl-C keeps the rows so far.
+
+Examples:
+  tyg chart curtain                                  all methods, up to three minutes
+  tyg chart curtain --quick --methods leapfrog,rk4   two methods, some seconds
+  tyg chart stiff --sheets 39x39 --error-range 1e-8:1
+  tyg chart poke --horizon 0.5 --out poke
+  tyg chart curtain --compare before/rows.csv        did my change help?
+
+Exit codes: 0 done; 1 there is no reference to compare with; 2 wrong input or usage; 130 interrupted
+by Ctrl-C.)";
 
 std::optional<ErrorRange> chosenRange(const std::string& text) {
   if (text.empty()) return std::nullopt;
@@ -88,20 +89,16 @@ struct Earlier {
 Earlier readEarlier(const Scene& scene, const std::string& path) {
   Earlier earlier;
   if (path.empty()) return earlier;
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) {
-    throw InputError("--compare: cannot read '" + path + "'; allowed is a rows.csv of tyg chart");
-  }
-  earlier.text = text.str();
+  earlier.text = readWholeFile(path, "--compare: cannot read", "a rows.csv of tyg chart");
   earlier.rows = parseWorkCsv(earlier.text, path);
-  const auto grid = [](int columns, int rows) { return std::to_string(columns) + "x" + std::to_string(rows); };
-  const std::string here = "'" + scene.name + "' of " + grid(scene.columns, scene.rows);
-  if (earlier.rows.empty()) throw InputError("--compare: found no row in '" + path + "', allowed are rows of " + here);
+  const auto rowsOf = [](const std::string& name, int columns, int rows) {
+    return fmt::format("rows of '{}' of {}x{}", name, columns, rows);
+  };
+  const std::string allowed = "allowed are " + rowsOf(scene.name, scene.columns, scene.rows);
+  if (earlier.rows.empty()) throw InputError("--compare: found no row in '" + path + "', " + allowed);
   for (const WorkRow& row : earlier.rows) {
     if (row.scene == scene.name && row.columns == scene.columns && row.rows == scene.rows) continue;
-    throw InputError("--compare: found rows of '" + row.scene + "' of " + grid(row.columns, row.rows) +
-                     ", allowed are rows of " + here);
+    throw InputError("--compare: found " + rowsOf(row.scene, row.columns, row.rows) + ", " + allowed);
   }
   return earlier;
 }
@@ -122,10 +119,10 @@ class Charting {
     threads_ = options.scene.threads.value_or(defaultThreads(scene.columns * scene.rows));
   }
 
-  Reference reference() { return makeReference(scene_, threads_, part(0, kReferencePart)); }
+  Reference reference() { return makeReference(scene_, threads_, progress_.part(0, kReferencePart)); }
 
   std::vector<SheetDistance> sheets(const Reference& reference, const std::vector<Grid>& grids) {
-    return sheetDistances(scene_, reference.motion, grids, threads_, part(kReferencePart, kReferencePart));
+    return sheetDistances(scene_, reference.motion, grids, threads_, progress_.part(kReferencePart, kReferencePart));
   }
 
   Study study(const Reference& reference, const std::optional<ErrorRange>& range) {
@@ -137,7 +134,7 @@ class Charting {
     if (options_.quick) plan.fewestRepeats = 2, plan.repeatSeconds = 0.03, plan.roundsBudget = 5;
     plan.threads = threads_;
     plan.clock = wallClock;
-    plan.observer = part(kReferencePart, 1);
+    plan.observer = progress_.part(kReferencePart, 1);
     return workPrecision(scene_, reference, plan);
   }
 
@@ -146,13 +143,6 @@ class Charting {
 
  private:
   static constexpr double kReferencePart = 0.05;
-
-  std::function<bool(double)> part(double from, double to) {
-    return [this, from, to](double fraction) {
-      progress_.show(from + (to - from) * fraction);
-      return !interrupted();
-    };
-  }
 
   const ChartOptions& options_;
   const Scene& scene_;
@@ -164,11 +154,6 @@ int sayNoReference(const Reference& reference) {
   std::cerr << "tyg chart: no reference for this scene: " << reference.whyUnusable()
             << "; nothing was written. Try a shorter --duration" << std::endl;
   return kSimulationFailed;
-}
-
-int sayInterrupted(const std::string& kept) {
-  std::cerr << "tyg chart: interrupted; " << kept << std::endl;
-  return kInterrupted;
 }
 
 WorkChart chartOf(const Reference& reference, const Study& study, const Charting& charting) {
@@ -199,12 +184,12 @@ int chart(const ChartOptions& options) {
   auto charting = std::make_unique<Charting>(options, scene);
   const Reference reference = charting->reference();
   if (reference.stopped || !reference.usable()) charting.reset();  // wipes the progress line
-  if (reference.stopped) return sayInterrupted("nothing was written");
+  if (reference.stopped) return sayInterrupted("tyg chart");
   if (!reference.usable()) return sayNoReference(reference);
   const std::vector<SheetDistance> sheets = charting->sheets(reference, grids);
   if (interrupted()) {
     charting.reset();
-    return sayInterrupted("nothing was written");
+    return sayInterrupted("tyg chart");
   }
   const Study study = charting->study(reference, range);
   for (const std::string& refusal : study.refusals) std::cerr << "\ntyg chart: left out: " << refusal << std::endl;
@@ -217,7 +202,7 @@ int chart(const ChartOptions& options) {
     drawn.spatial = {sheets.back().grid.columns, sheets.back().grid.rows, sheets.back().distance.rms};
   if (!earlier.rows.empty()) drawn.comparedDuration = durationOf(earlier.rows, scene.duration);
 
-  if (stopped && drawn.rows.empty()) return sayInterrupted("nothing was written");
+  if (stopped && drawn.rows.empty()) return sayInterrupted("tyg chart");
   // A whole chart is worth more than the part of one.
   if (stopped && fs::exists(folder / "rows.csv")) folder = preparedFolder(folder / "interrupted", files);
   // What an earlier chart left here does not belong to these rows.
@@ -228,9 +213,9 @@ int chart(const ChartOptions& options) {
   if (!study.pastHorizon.empty()) writeWholeFile(folder / "past_horizon.csv", pastHorizonCsv(study.pastHorizon));
   writeWholeFile(folder / "chart.gp", workChartScript(drawn));
   if (stopped) {
-    return sayInterrupted("the " + std::to_string(drawn.rows.size()) + " rows so far are in " +
-                          (folder / "rows.csv").string() + "; `cd " + folder.string() +
-                          " && gnuplot chart.gp` draws them");
+    return sayInterrupted("tyg chart",
+                          fmt::format("the {} rows so far are in {}; `cd {} && gnuplot chart.gp` draws them",
+                                      drawn.rows.size(), (folder / "rows.csv").string(), folder.string()));
   }
   for (const std::string& note : drawn.notes) std::cout << note << "\n";
   for (const std::string& line : pastHorizonLines(study.pastHorizon)) {
@@ -251,18 +236,18 @@ void addChartCommand(CLI::App& app, Action& action) {
       ->type_name("NAME,...");
   command
       ->add_option("--error-range", options->errorRange,
-                   "Draw only errors between these fractions of the sheet's size, and stop below them [what there is]")
+                   "Draw only errors between these fractions of the sheet's size, and stop below them [all errors]")
       ->type_name("A:B");
   command->add_option("--horizon", options->horizon, "Simulate and compare only the first S seconds [the whole scene]")
       ->type_name("S")
       ->check([](const std::string& text) { return checkPositive(text, "seconds, such as 0.5"); });
   command
       ->add_option("--sheets", options->sheets,
-                   "Finer sheets of the same cloth: how far the last one is becomes a line on the chart")
+                   "Finer sheets of the same cloth; a line on the chart shows how far away the last one is")
       ->type_name("CxR,...");
-  command->add_option("--compare", options->compare, "An earlier rows.csv of the same scene, drawn beneath in grey")
+  command->add_option("--compare", options->compare, "An earlier rows.csv of the same scene, which is drawn in grey")
       ->type_name("ROWS.csv");
-  command->add_flag("--quick", options->quick, "Shorter ladders and fewer repeats: within 20 s for the curtain");
+  command->add_flag("--quick", options->quick, "Fewer steps and fewer repeats: the curtain takes less than 20 s");
   command->add_option("--out", options->out, "Folder for rows.csv, chart.gp, chart.svg and chart.png [out]")
       ->type_name("DIR");
   command->footer(kExamples);

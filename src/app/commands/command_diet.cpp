@@ -3,6 +3,8 @@
 #include <iostream>
 #include <memory>
 
+#include <fmt/core.h>
+
 #include "app/command_line.h"
 #include "app/commands/commands.h"
 #include "app/output/drawn_files.h"
@@ -26,17 +28,19 @@ struct DietOptions {
 };
 
 constexpr const char* kExamples =
-    "The scene runs once as it is and once for each thing left out; what is lost is measured against a reference that\n"
-    "two independent methods agree on. Time saved is work (force evaluations) times its cost, calibrated in short "
-    "turns\n"
-    "that a busy machine does not disturb. Changes that stay within are then put together, the largest saving first.\n"
-    "DIR gets diet.csv, lean.toml (the leanest scene within, which runs) and overlay.png (both cloths).\n\n"
-    "Examples:\n"
-    "  tyg diet curtain\n"
-    "  tyg diet flag --within 5mm --out flag-diet\n"
-    "  tyg run out/lean.toml\n\n"
-    "Exit codes: 0 done; 1 there is no reference to compare with, or nothing to be said at so small a tolerance; 2\n"
-    "wrong input or usage; 130 Ctrl-C, nothing is written.";
+    R"(The scene runs once as it is written, and once without each part of its model. What is lost is the
+distance from a reference that two independent methods agree on. The time saved is computed from the
+number of force evaluations and the measured cost of one, so that a busy machine does not disturb
+it. Changes that lose no more than --within are then made together, the largest saving first.
+DIR gets diet.csv, lean.toml (the most reduced scene within that limit) and overlay.png (both).
+
+Examples:
+  tyg diet curtain
+  tyg diet flag --within 5mm --out flag-diet
+  tyg run out/lean.toml
+
+Exit codes: 0 done; 1 there is no reference to compare with, or rounding errors are larger than
+--within; 2 wrong input or usage; 130 interrupted by Ctrl-C, and nothing is written.)";
 
 /// The parts of the work share one line of progress.
 class Dieting {
@@ -46,7 +50,7 @@ class Dieting {
         threads_(options.scene.threads.value_or(defaultThreads(scene.columns * scene.rows))),
         progress_("tyg diet " + scene.name) {}
 
-  Reference reference() { return makeReference(scene_, threads_, part(0, kReference)); }
+  Reference reference() { return makeReference(scene_, threads_, progress_.part(0, kReference)); }
 
   Diet diet(const Reference& reference, double within) {
     CostMeter meter(scene_, threads_, calibrationClock);
@@ -54,33 +58,21 @@ class Dieting {
     plan.within = within;
     plan.threads = threads_;
     plan.cost = [&](const Scene& scene, int threads) { return meter.secondsPerUnit(scene, threads); };
-    plan.observer = part(kReference, kDiet);
+    plan.observer = progress_.part(kReference, kDiet);
     return dietOf(scene_, reference, plan);
   }
 
   std::vector<Need> needs(const Reference& reference, double judgedUpTo) {
-    return needsOf(scene_, reference, judgedUpTo, threads_, part(kDiet, 1));
+    return needsOf(scene_, reference, judgedUpTo, threads_, progress_.part(kDiet, 1));
   }
 
  private:
   static constexpr double kReference = 0.4, kDiet = 0.8;  // where the parts end
 
-  std::function<bool(double)> part(double from, double to) {
-    return [this, from, to](double fraction) {
-      progress_.show(from + (to - from) * fraction);
-      return !interrupted();
-    };
-  }
-
   const Scene& scene_;
   int threads_;
   Progress progress_;
 };
-
-int say(int code, const std::string& words) {
-  std::cerr << "tyg diet: " << words << std::endl;
-  return code;
-}
 
 /// Why there can be no verdict; empty where there can.
 std::string obstacle(const Reference& reference, double within) {
@@ -88,19 +80,22 @@ std::string obstacle(const Reference& reference, double within) {
     return "no reference for this scene: " + reference.whyUnusable() + ". Try a shorter --duration";
   }
   if (reference.horizonOf(within, Precision::Double) > 0) return "";
-  return "--within " + lengthText(within) + ": found less than ten times what rounding errors make of this cloth, " +
-         lengthText(reference.floorAt(0, Precision::Double)) + " from the first moment on; try a larger one";
+  return fmt::format(
+      "--within: found {}, allowed is more than ten times the rounding errors of this cloth, which are {} from the "
+      "start; try a larger one",
+      lengthText(within), lengthText(reference.floorAt(0, Precision::Double)));
 }
 
 void writeFiles(const DietFindings& findings, const std::filesystem::path& folder) {
-  const DietRow& lean = findings.diet.leanest();
+  const DietRow& reduced = findings.diet.reduced();
+  const Scene& written = findings.diet.written.scene;
   writeWholeFile(folder / "diet.csv", dietCsv(findings));
-  writeWholeFile(folder / "lean.toml", sceneToToml(lean.scene, leanComment(findings)));
+  writeWholeFile(folder / "lean.toml", sceneToToml(reduced.scene, leanComment(findings)));
   // Last: where nothing can draw, all that was computed is there.
-  const std::string differ = "furthest apart, " + lengthText(lean.lost.rms) + ", at t = " + timeText(lean.worstAt);
-  const Picture picture = overlaid({findings.diet.written.scene, "as written"},
-                                   {lean.scene, "the leanest within " + lengthText(findings.diet.within)}, lean.worstAt,
-                                   findings.diet.written.scene.title + ": " + differ);
+  const std::string title = fmt::format("{}: furthest apart, {}, at t = {}", written.title,
+                                        lengthText(reduced.lost.rms), timeText(reduced.worstAt));
+  const std::string words = "the most reduced scene within " + lengthText(findings.diet.within);
+  const Picture picture = overlaid({written, "as written"}, {reduced.scene, words}, reduced.worstAt, title);
   writePng(picture, folder / "overlay.png");
 }
 
@@ -119,9 +114,12 @@ int diet(const DietOptions& options) {
   if (!reference.stopped && wrong.empty()) found = dieting->diet(reference, within);
   if (!interrupted() && wrong.empty()) needs = dieting->needs(reference, found.judgedUpTo);
   dieting.reset();  // wipes the progress line
-  if (interrupted()) return say(kInterrupted, "interrupted; nothing was written");
+  if (interrupted()) return sayInterrupted("tyg diet");
   if (!wrong.empty() && options.json) std::cout << obstacleJson(scene, within, wrong) << std::endl;
-  if (!wrong.empty()) return say(kSimulationFailed, wrong);
+  if (!wrong.empty()) {
+    std::cerr << "tyg diet: " << wrong << std::endl;
+    return kSimulationFailed;
+  }
 
   const DietFindings findings{reference, found, needs, hangsByPoints(scene)};
   std::cout << (options.json ? dietJson(findings) : dietTable(findings)) << std::endl;

@@ -3,39 +3,32 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <vector>
+
+#include <fmt/core.h>
 
 #include "app/command_line.h"
 #include "app/commands/commands.h"
 #include "app/reports/json.h"
 #include "tyg/methods.h"
-#include "util/text.h"
+#include "util/utf8.h"
+#include "util/wrapped.h"
 
 namespace tyg {
 namespace {
 
 constexpr std::size_t kPageWidth = 80, kNameWidth = 20;
 
-/// The words of a text in lines that fit between `indent` and the edge of the page.
-std::string wrapped(const std::string& text, std::size_t indent) {
-  std::istringstream words(text);
-  std::string page, line, word;
-  const std::string margin(indent, ' ');
-  while (words >> word) {
-    if (!line.empty() && indent + line.size() + 1 + word.size() > kPageWidth) {
-      page += margin + line + "\n";
-      line.clear();
-    }
-    line += (line.empty() ? "" : " ") + word;
+/// A text in lines that fit between `indent` and the edge of the page.
+std::string paragraph(const std::string& text, std::size_t indent) {
+  const std::string blanks(indent, ' ');
+  std::string lines = blanks;
+  for (const char character : wrapped(text, float(kPageWidth - indent), characterCount)) {
+    lines += character;
+    if (character == '\n') lines += blanks;
   }
-  return page + margin + line + "\n";
-}
-
-std::string padded(std::string text, std::size_t width) {
-  text.resize(std::max(width, text.size() + 1), ' ');
-  return text;
+  return lines + "\n";
 }
 
 enum class Kind { Showing, Failing };
@@ -50,63 +43,62 @@ std::vector<Scene> scenes(Kind kind) {
 
 std::string evaluations(const Method& method) {
   if (method.evaluationsPerStep < 0) return "evaluations as needed";
-  return std::to_string(method.evaluationsPerStep) + (method.adaptive ? " a step of its own choice" : " a step");
+  return fmt::format("{} a step{}", method.evaluationsPerStep, method.adaptive ? " of its own choice" : "");
 }
 
 std::string described(Kind kind) {
   std::string text;
   for (const Scene& scene : scenes(kind)) {
-    const std::string size = std::to_string(scene.columns) + " x " + std::to_string(scene.rows);
-    text += "  " + padded(scene.name, kNameWidth) + scene.title + " (" + size + " particles)\n";
-    text += wrapped(scene.shows, kNameWidth + 2);
+    text += fmt::format("  {:<{}}{} ({} x {} particles)\n", scene.name + " ", kNameWidth, scene.title, scene.columns,
+                        scene.rows);
+    text += paragraph(scene.shows, kNameWidth + 2);
   }
   return text;
 }
 
 std::string page() {
-  std::string text = "Scenes (for example: tyg view NAME; the path of a .toml file serves as well)\n\n";
+  std::string text = "Scenes (use one with tyg view NAME; the path of a .toml file works too)\n\n";
   text += described(Kind::Showing);
   text += "\nScenes that fail (tyg run NAME exits with 1 and says why and what to do)\n\n";
   text += described(Kind::Failing);
   text += "\nMethods (--integrator NAME), with their order and force evaluations\n\n";
   for (const Method& method : methods()) {
-    text += "  " + padded(std::string(method.name), kNameWidth) + std::string(method.label) + ": order " +
-            std::to_string(method.order) + ", " + evaluations(method) + "\n";
-    text += wrapped(std::string(method.scheme), kNameWidth + 2);
+    text += fmt::format("  {:<{}}{}: order {}, {}\n", std::string(method.name) + " ", kNameWidth, method.label,
+                        method.order, evaluations(method));
+    text += paragraph(std::string(method.scheme), kNameWidth + 2);
   }
   return text;
 }
 
-std::string listed(const std::vector<JsonObject>& objects) { return "[" + joined(objects, &JsonObject::text) + "]"; }
-
-std::string json() {
-  std::vector<JsonObject> sceneObjects, methodObjects;
+Json scenesJson() {
+  Json list = Json::array();
   for (const Kind kind : {Kind::Showing, Kind::Failing}) {
     for (const Scene& scene : scenes(kind)) {
-      JsonObject& object = sceneObjects.emplace_back();
-      object.add("name", scene.name);
-      object.add("title", scene.title);
-      object.add("shows", scene.shows);
-      object.add("columns", scene.columns);
-      object.add("rows", scene.rows);
-      object.addRaw("fails", kind == Kind::Failing ? "true" : "false");
+      list.push_back({{"name", scene.name},
+                      {"title", scene.title},
+                      {"shows", scene.shows},
+                      {"columns", scene.columns},
+                      {"rows", scene.rows},
+                      {"fails", kind == Kind::Failing}});
     }
   }
-  for (const Method& method : methods()) {
-    JsonObject& object = methodObjects.emplace_back();
-    object.add("name", method.name);
-    object.add("label", method.label);
-    object.add("scheme", method.scheme);
-    object.add("order", method.order);
-    object.addRaw("evaluations_per_step",
-                  method.evaluationsPerStep < 0 ? "null" : std::to_string(method.evaluationsPerStep));
-    object.addRaw("adaptive", method.adaptive ? "true" : "false");
-  }
-  JsonObject all;
-  all.addRaw("scenes", listed(sceneObjects));
-  all.addRaw("methods", listed(methodObjects));
-  return all.text() + "\n";
+  return list;
 }
+
+Json methodsJson() {
+  Json list = Json::array();
+  for (const Method& method : methods()) {
+    list.push_back({{"name", method.name},
+                    {"label", method.label},
+                    {"scheme", method.scheme},
+                    {"order", method.order},
+                    {"evaluations_per_step", method.evaluationsPerStep < 0 ? Json() : Json(method.evaluationsPerStep)},
+                    {"adaptive", method.adaptive}});
+  }
+  return list;
+}
+
+std::string json() { return jsonText({{"scenes", scenesJson()}, {"methods", methodsJson()}}) + "\n"; }
 
 }  // namespace
 

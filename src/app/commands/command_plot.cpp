@@ -5,15 +5,17 @@
 #include <iostream>
 #include <memory>
 
+#include <fmt/core.h>
+
 #include "app/command_line.h"
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
 #include "app/output/drawn_files.h"
 #include "app/output/progress.h"
-#include "study/charts/trajectory_plot.h"
+#include "study/charts/trajectory_chart.h"
+#include "study/motion/trajectories.h"
 #include "tyg/methods.h"
 #include "util/interrupt.h"
-#include "util/text.h"
 #include "util/whole_file.h"
 
 namespace tyg {
@@ -28,22 +30,23 @@ struct PlotOptions {
 };
 
 constexpr const char* kExamples =
-    "The lowest panel shows how far each method is from the one of the highest order, on a logarithmic axis. A run "
-    "that\n"
-    "fails stays in the chart, marked with a cross. Where gnuplot is missing, rows and script are written all the "
-    "same.\n\n"
-    "Examples:\n"
-    "  tyg plot four-particles                  the 2017 report's Euler beside its Runge-Kutta and the true one\n"
-    "  tyg plot poke --particles middle,bottom-left --methods leapfrog,rk4 --dt 0.004\n"
-    "  tyg plot curtain --particles 5:10,middle --out charts";
+    R"(The lowest panel shows how far each method is from the method of the highest order, on a logarithmic
+axis. A run that fails stays in the chart and is marked with a cross. Without gnuplot the rows and
+the script are written, but no pictures.
+
+Examples:
+  tyg plot four-particles                  the Euler and Runge-Kutta methods of the 2017 report
+                                           beside the true Runge-Kutta method
+  tyg plot poke --particles middle,bottom-left --methods leapfrog,rk4 --dt 0.004
+  tyg plot curtain --particles 5:10,middle --out charts)";
 
 std::vector<ChartedParticle> chosenParticles(const Scene& scene, const std::string& list) {
   if (list.empty()) return usualParticles(scene);
   std::vector<ChartedParticle> particles;
   for (const std::string& name : splitList(list)) particles.push_back(chartedParticle(scene, name));
   if (particles.empty() || particles.size() > kMostParticles) {
-    throw InputError("--particles: found " + std::to_string(particles.size()) + " names, allowed are 1 to " +
-                     std::to_string(kMostParticles) + " with commas between");
+    throw InputError(fmt::format("--particles: found {} names, allowed are 1 to {} with commas between",
+                                 particles.size(), kMostParticles));
   }
   return particles;
 }
@@ -53,18 +56,18 @@ TrajectoryStudy followed(const Scene& scene, const PlotOptions& options) {
   Progress progress("tyg plot " + scene.name);
   return followParticles(scene, chosenParticles(scene, options.particles), methods, options.scene.threads.value_or(0),
                          [&](std::size_t run, double time) {
-                           progress.show((double(run) + time / scene.duration) / double(methods.size()));
-                           return !interrupted();
+                           return progress.show((double(run) + time / scene.duration) / double(methods.size()));
                          });
 }
 
 void sayWhatFailed(const TrajectoryStudy& study) {
   for (const Trajectory& run : study.runs) {
     if (run.status == Status::Ok) continue;
-    std::cerr << "tyg plot: " << run.method->name
-              << (run.method->adaptive ? formatted(" with a tolerance of %.4g m was ", study.scene.tolerance)
-                                       : formatted(" with a step of %.4g s was ", study.scene.dt))
-              << nameOf(run.status) << " at t = " << run.failedAt << " s; its curve ends there" << std::endl;
+    const std::string setting = run.method->adaptive ? fmt::format("a tolerance of {:.4g} m", study.scene.tolerance)
+                                                     : fmt::format("a step of {:.4g} s", study.scene.dt);
+    std::cerr << fmt::format("tyg plot: {} with {} was {} at t = {:g} s; its curve ends there", run.method->name,
+                             setting, nameOf(run.status), run.failedAt)
+              << std::endl;
   }
 }
 
@@ -77,10 +80,7 @@ int plot(const PlotOptions& options) {
 
   const InterruptWatch watch;
   const TrajectoryStudy study = followed(scene, options);
-  if (interrupted()) {
-    std::cerr << "tyg plot: interrupted; nothing was written" << std::endl;
-    return kInterrupted;
-  }
+  if (interrupted()) return sayInterrupted("tyg plot");
   sayWhatFailed(study);
   writeWholeFile(folder / "plot.csv", trajectoryCsv(study));
   writeWholeFile(folder / "plot.gp", trajectoryScript(study));
@@ -98,7 +98,7 @@ void addPlotCommand(CLI::App& app, Action& action) {
       ->add_option(
           "--particles", options->particles,
           "Which particles: top-left, top-right, bottom-left, bottom-right, middle, or COLUMN:ROW; at most six "
-          "[those drawn out or pushed, else bottom-left and middle]")
+          "[those that the scene displaces or pushes, else bottom-left and middle]")
       ->type_name("NAME,...");
   command
       ->add_option("--methods", options->methods,

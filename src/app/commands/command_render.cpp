@@ -3,12 +3,13 @@
 #include <memory>
 #include <optional>
 
+#include <fmt/core.h>
+
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
 #include "app/output/render.h"
 #include "study/motion/telling_moment.h"
 #include "util/file_names.h"
-#include "util/text.h"
 
 namespace tyg {
 namespace {
@@ -25,13 +26,15 @@ struct RenderOptions {
 };
 
 constexpr const char* kExamples =
-    "Without --at, --from and --to: one picture of a telling moment, or the whole run where --out is a movie or a "
-    "folder.\nA movie needs ffmpeg; a folder of PNG pictures needs nothing.\n\n"
-    "Examples:\n"
-    "  tyg render curtain                                   curtain.png\n"
-    "  tyg render poke --at 0.6 --out poke.png --light      on a light background, for print\n"
-    "  tyg render flag --from 0 --to 4 --fps 60 --out flag.mp4\n"
-    "  tyg render hammock --out frames                      numbered pictures";
+    R"(Without --at, --from and --to there is one picture, of a time that shows what the scene is about.
+Where --out is a movie or a folder, the whole run is drawn. A movie needs ffmpeg; a folder of PNG
+pictures needs nothing.
+
+Examples:
+  tyg render curtain                                   curtain.png
+  tyg render poke --at 0.6 --out poke.png --light      on a light background, for print
+  tyg render flag --from 0 --to 4 --fps 60 --out flag.mp4
+  tyg render hammock --out frames                      numbered pictures)";
 
 std::vector<double> chosenTimes(const Scene& scene, const RenderOptions& options) {
   if (options.at && (options.from || options.to)) {
@@ -47,12 +50,14 @@ std::vector<double> chosenTimes(const Scene& scene, const RenderOptions& options
   const double fps = options.fps.value_or(RenderRequest{}.fps);
   if (!(to > from)) throw InputError("--to: found a time that is not after --from, allowed is a later one");
   if ((to - from) * fps > double(kMostFrames)) {
-    throw InputError("--from, --to, --fps: found more than 100000 frames, allowed are fewer");
+    throw InputError(fmt::format("--from, --to, --fps: found more than {} frames, allowed are fewer", kMostFrames));
   }
   std::vector<double> times = frameTimes(from, to, fps);
   if (times.size() == 1 && !isPicture) {
-    throw InputError("--to: found less than one frame after --from, allowed for a movie or a folder is " +
-                     formatted("%.4g s or more at %.4g pictures per second", from + 1 / fps, fps));
+    throw InputError(fmt::format(
+        "--to: found less than one frame after --from, allowed for a movie or a folder is {:.4g} s or more at {:.4g} "
+        "pictures per second",
+        from + 1 / fps, fps));
   }
   return times;
 }
@@ -78,12 +83,16 @@ void addRenderCommand(CLI::App& app, Action& action) {
   addSceneOptions(*command, options->scene);
   const auto time = [](const std::string& text) { return checkNotNegative(text, "seconds, such as 0.5"); };
   command->add_option("--at", options->at, "One picture at this simulated time, s")->type_name("S")->check(time);
-  command->add_option("--from", options->from, "The first of several pictures, s [0]")->type_name("S")->check(time);
-  command->add_option("--to", options->to, "The last one, s [the end]")->type_name("S")->check(time);
+  command->add_option("--from", options->from, "The simulated time of the first of several pictures, s [0]")
+      ->type_name("S")
+      ->check(time);
+  command->add_option("--to", options->to, "The simulated time of the last one, s [the end]")
+      ->type_name("S")
+      ->check(time);
   command->add_option("--fps", options->fps, "Pictures per simulated second [30]")
       ->type_name("N")
       ->check([](const std::string& text) { return checkPositive(text, "pictures per second, such as 30"); });
-  command->add_option("--size", options->size, "Pixels [1280x720]")
+  command->add_option("--size", options->size, "Pixels of each picture, width x height [1280x720]")
       ->type_name("WxH")
       ->check([](const std::string& text) { return checkPair(text, kMostPixels, "pixels, such as 1280x720"); });
   command

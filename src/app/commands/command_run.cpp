@@ -1,10 +1,10 @@
 // `tyg run`: simulate a scene without a window, and report.
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <fstream>
 #include <iostream>
 #include <memory>
-#include <sstream>
+
+#include <fmt/core.h>
 
 #include "app/command_line.h"
 #include "app/commands/commands.h"
@@ -15,7 +15,7 @@
 #include "study/limits/stability.h"
 #include "tyg/methods.h"
 #include "util/interrupt.h"
-#include "util/text.h"
+#include "util/whole_file.h"
 
 namespace tyg {
 namespace {
@@ -28,29 +28,23 @@ struct RunOptions {
 };
 
 constexpr const char* kExamples =
-    "--out: the K sample times are stop times, duration/K apart and met exactly, so steps may be cut to end on them; "
-    "the\n"
-    "header is t,particle,x,y,z,vx,vy,vz (s, m, m/s), 17 significant digits. --json keys: dt_asked and dt in s (dt is "
-    "the\n"
-    "largest step taken), seconds of stepping alone, energies in J, stable_dt in s; numbers that are not finite are "
-    "null.\n\n"
-    "Examples:\n"
-    "  tyg run curtain\n"
-    "  tyg run flag --integrator leapfrog --dt 0.001 --ledger\n"
-    "  tyg run poke --samples 100 --out poke.csv\n"
-    "  tyg run curtain --sheet 200x200 --precision float --threads 2 --json\n"
-    "  tyg run --replay clicks.csv             what `tyg view curtain --record clicks.csv` saw, to the same bits\n\n"
-    "Exit codes: 0 done; 1 the run became unstable, or a replay ended in other bits; 2 wrong input or usage; 130 "
-    "Ctrl-C.\n"
-    "After 1 and 130 no CSV file is written.";
+    R"(--out writes t,particle,x,y,z,vx,vy,vz (s, m, m/s) with 17 significant digits. The K sample times
+are duration/K apart and are met exactly, so a step may be shortened to end on one.
+--json: dt_asked and dt are in s (dt is the largest step taken), seconds is the computing time of
+the steps alone, energies are in J, stable_dt is in s, and numbers that are not finite are null.
 
-PushLog readLog(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) {
-    throw InputError("--replay: cannot read '" + path + "'; allowed is a file written by tyg view --record");
-  }
-  return parsePushLog(text.str(), path);
+Examples:
+  tyg run curtain
+  tyg run flag --integrator leapfrog --dt 0.001 --ledger
+  tyg run poke --samples 100 --out poke.csv
+  tyg run curtain --sheet 200x200 --precision float --threads 2 --json
+  tyg run --replay clicks.csv    what `tyg view curtain --record clicks.csv` saw, to the same bits
+
+Exit codes: 0 done; 1 the run became unstable, or a replay ended in other bits; 2 wrong input or
+usage; 130 interrupted by Ctrl-C. After 1 and 130 no CSV file is written.)";
+
+EventLog readLog(const std::string& path) {
+  return parseEventLog(readWholeFile(path, "--replay: cannot read", "a file written by tyg view --record"), path);
 }
 
 template <class T>
@@ -61,7 +55,7 @@ void mustAgree(const char* option, const std::optional<T>& given, const T& logge
 }
 
 /// The scene that a log carries, or else the one that it names.
-Scene loggedScene(const PushLog& log) {
+Scene loggedScene(const EventLog& log) {
   if (log.sceneText.empty()) return loadScene(log.scene, methodNames());
   Scene scene = parseScene(log.sceneText, "the scene in the log", methodNames());
   scene.name = log.scene;
@@ -77,7 +71,7 @@ bool sameCloth(Scene scene, const Scene& other) {
 }
 
 /// The scene as it was when the log was made. Throws InputError where scene and log cannot belong together.
-Scene fitted(Scene scene, const SceneOptions& options, const PushLog& log) {
+Scene fitted(Scene scene, const SceneOptions& options, const EventLog& log) {
   const auto grid = [](int columns, int rows) { return std::to_string(columns) + "x" + std::to_string(rows); };
   if (scene.columns != log.columns || scene.rows != log.rows) {
     const std::string logged = grid(log.columns, log.rows);
@@ -92,10 +86,10 @@ Scene fitted(Scene scene, const SceneOptions& options, const PushLog& log) {
   const std::string precision(nameOf(log.precision));
   mustAgree("--precision", options.precision, precision, precision);
   mustAgree("--integrator", options.integrator, log.integrator, log.integrator);
-  mustAgree("--dt", options.dt, log.dt, formatted("%g s", log.dt));
+  mustAgree("--dt", options.dt, log.dt, fmt::format("{:g} s", log.dt));
   if (!log.sceneText.empty()) {
     const double tolerance = loggedScene(log).tolerance;
-    mustAgree("--tolerance", options.tolerance, tolerance, formatted("%g m", tolerance));
+    mustAgree("--tolerance", options.tolerance, tolerance, fmt::format("{:g} m", tolerance));
     scene.tolerance = tolerance;
   }
   scene.precision = log.precision;
@@ -111,10 +105,7 @@ class Run {
       : options_(options),
         simulation_(scene, findMethod(scene.integrator), settingsOf(options)),
         progress_("tyg run " + scene.name) {
-    simulation_.observe([this] {
-      progress_.show(fractionDone());
-      return !interrupted();
-    });
+    simulation_.observe([this] { return progress_.show(fractionDone()); });
   }
 
   void toTheEnd(SampleFile* file) {
@@ -129,7 +120,7 @@ class Run {
     progress_.finish();
   }
 
-  void replay(const PushLog& log) {
+  void replay(const EventLog& log) {
     replayedTicks_ = log.ticks;
     simulation_.replay(log, methods());
     for (std::int64_t tick = 0; tick < log.ticks && goesOn(); ++tick) timed([&] { simulation_.tick(); });
@@ -167,7 +158,7 @@ class Run {
 };
 
 /// Says how the run ended, on standard output for the result and standard error for what went wrong.
-int report(Run& run, const RunOptions& options, const PushLog* log) {
+int report(Run& run, const RunOptions& options, const EventLog* log) {
   Simulation& simulation = run.simulation();
   const FinishedRun finished{simulation, simulation.ledger(), options.ledger, run.seconds(),
                              restLatticeLimit(simulation.scene(), simulation.method())};
@@ -185,7 +176,7 @@ int report(Run& run, const RunOptions& options, const PushLog* log) {
 }
 
 int run(const RunOptions& options) {
-  std::optional<PushLog> log;
+  std::optional<EventLog> log;
   if (options.replay) log = readLog(*options.replay);
   const bool fromLog = options.scene.scene.empty();  // there is one then
   Scene scene = fromLog ? overridden(loggedScene(*log), options.scene) : chosenScene(options.scene);
@@ -201,8 +192,8 @@ int run(const RunOptions& options) {
     run->toTheEnd(file ? &*file : nullptr);
   }
   if (interrupted()) {
-    std::cerr << "tyg run: interrupted at t = " << run->simulation().time() << " s; nothing was written" << std::endl;
-    return kInterrupted;
+    return sayInterrupted("tyg run",
+                          fmt::format("it was at t = {:g} s; nothing was written", run->simulation().time()));
   }
   if (file && !run->failed()) file->keep();
   return report(*run, options, log ? &*log : nullptr);
@@ -219,19 +210,20 @@ void addRunCommand(CLI::App& app, Action& action) {
   CLI::Option* scene = command->get_option("SCENE")->required(false);
   constexpr int kMostSamples = 1000000;
   auto* samples = command->add_option("--samples", options->samples,
-                                      "Sample times after t = 0 for --out, equally spaced [20]; without --out unused");
+                                      "Number of equally spaced sample times after t = 0, for --out [20]");
   samples->type_name("K")->check(
       [](const std::string& text) { return checkCount(text, kMostSamples, "sample times"); });
   auto* out = command->add_option("--out", options->out, "Write every particle at the sample times to this CSV file");
   out->type_name("FILE.csv");
-  command->add_flag("--ledger", options->ledger, "Follow the dissipated energy too, and report the ledger's drift");
-  command->add_flag("--keep-going", options->keepGoing, "Run on past the instability alarm and leave with 0");
+  command->add_flag("--ledger", options->ledger,
+                    "Add up the dissipated energy too, and report the drift of the energy ledger");
+  command->add_flag("--keep-going", options->keepGoing, "Go on after the instability alarm, and end with exit code 0");
   auto* replay = command->add_option("--replay", options->replay,
                                      "Do again what tyg view --record logged, with the log's method, step, "
                                      "tolerance and precision; without SCENE on its own scene");
   replay->type_name("LOG")->excludes(out)->excludes(samples)->excludes(command->get_option("--duration"));
   command->add_flag("--json", options->json, "Print one JSON object instead of the summary, after a failure too");
-  command->add_flag("--verbose", options->verbose, "First say on standard error what is simulated, and how");
+  command->add_flag("--verbose", options->verbose, "First print on standard error what is simulated, and how");
   command->footer(kExamples);
   command->callback([options, scene, replay, &action] {
     if (scene->count() == 0 && replay->count() == 0) throw CLI::RequiredError(scene->get_name(true));

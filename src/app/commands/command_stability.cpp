@@ -25,16 +25,17 @@ struct StabilityOptions {
 };
 
 constexpr const char* kExamples =
-    "Limits are measured by bisection on the energy alarm: 2000 steps of tiny motions around rest, and the scene's "
-    "own\n"
-    "motion; each with the scene's damping and without. The chart draws every method's stability region with the "
-    "scene's\n"
-    "own modes in it at the step in question (--dt).\n\n"
-    "Examples:\n"
-    "  tyg stability curtain                               all methods, less than a minute\n"
-    "  tyg stability wet --methods leapfrog,rk4,rkc2\n"
-    "  tyg stability curtain --sheet 40x40 --dt 0.001 --out limits\n\n"
-    "Exit codes: 0 done; 2 wrong input or usage; 130 Ctrl-C (nothing is written).";
+    R"(The limits are measured by bisection: a step is too large where the energy alarm goes off. It is
+tried with 2000 steps of tiny motions around rest, and with the scene's own motion, each with the
+scene's damping and without. The chart draws the stability region of every method, and in it the
+modes of the scene for the step of --dt.
+
+Examples:
+  tyg stability curtain                               all methods, less than a minute
+  tyg stability wet --methods leapfrog,rk4,rkc2
+  tyg stability curtain --sheet 40x40 --dt 0.001 --out limits
+
+Exit codes: 0 done; 2 wrong input or usage; 130 interrupted by Ctrl-C, and nothing is written.)";
 
 int stability(const StabilityOptions& options) {
   const Scene scene = chosenScene(options.scene);
@@ -46,16 +47,10 @@ int stability(const StabilityOptions& options) {
 
   const InterruptWatch watch;
   auto progress = std::make_unique<Progress>("tyg stability " + scene.name);
-  plan.observer = [&](double fraction) {
-    progress->show(fraction);
-    return !interrupted();
-  };
+  plan.observer = progress->part();
   const StabilityStudy study = studyStability(scene, plan);
   progress.reset();  // wipes its line
-  if (study.stopped) {
-    std::cerr << "tyg stability: interrupted; nothing was written" << std::endl;
-    return kInterrupted;
-  }
+  if (study.stopped) return sayInterrupted("tyg stability");
   writeWholeFile(folder / "stability.csv", stabilityCsv(study));
   writeWholeFile(folder / "stability.gp", stabilityScript(study));
   std::cout << stabilityTable(study) << "\n" << std::flush;

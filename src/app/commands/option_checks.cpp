@@ -7,6 +7,8 @@
 #include <optional>
 #include <string_view>
 
+#include <fmt/core.h>
+
 #include "util/text.h"
 
 namespace tyg {
@@ -42,7 +44,7 @@ std::string checkNotNegative(const std::string& text, const std::string& meaning
 
 std::string checkCount(const std::string& text, int highest, const std::string& meaning) {
   if (isCount(wholeTextAs<int>(text), highest)) return {};
-  return complaint(text, "a whole number from 1 to " + std::to_string(highest) + ": " + meaning);
+  return complaint(text, fmt::format("a whole number from 1 to {}: {}", highest, meaning));
 }
 
 std::string checkOneOf(const std::string& text, const std::vector<std::string>& words) {
@@ -56,7 +58,7 @@ std::string checkPair(const std::string& text, int highest, const std::string& m
       isCount(wholeTextAs<int>(view.substr(cross + 1)), highest)) {
     return {};
   }
-  return complaint(text, "two whole numbers from 1 to " + std::to_string(highest) + " with an x between: " + meaning);
+  return complaint(text, fmt::format("two whole numbers from 1 to {} with an x between: {}", highest, meaning));
 }
 
 std::pair<int, int> parsePair(const std::string& text) {

@@ -32,7 +32,7 @@ void addNumbers(CLI::App& command, SceneOptions& options) {
   command
       .add_option(
           "--threads", options.threads,
-          "Threads to share the rows out over; more than there are cores is allowed, and the result is the same "
+          "Threads that share the rows of the sheet; more than there are cores is allowed, and the result is the same "
           "[1 for small sheets, else every core]")
       ->check(threads)
       ->type_name("N")
@@ -52,7 +52,7 @@ void addSceneOptions(CLI::App& command, SceneOptions& options, bool sceneRequire
   addNumbers(command, options);
   command
       .add_option("--precision", options.precision,
-                  "Numbers of 32 bits (float: faster) or of 64 (double: exacter) [the scene's]")
+                  "Numbers of 32 bits (float, faster) or of 64 bits (double, more exact) [the scene's]")
       ->check([](const std::string& text) {
         return checkOneOf(text, {"float", "double"});
       })
@@ -64,7 +64,7 @@ void addSceneOptions(CLI::App& command, SceneOptions& options, bool sceneRequire
   command
       .add_option(
           "--sheet", options.sheet,
-          "The same cloth on another grid of columns x rows; size, mass and drag of the whole stay [the scene's]")
+          "The same cloth on another grid of columns x rows; its size, mass and drag stay the same [the scene's]")
       ->check(sheet)
       ->type_name("CxR")
       ->group("Scene");

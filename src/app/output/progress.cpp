@@ -1,11 +1,17 @@
-// The progress line.
+// The line is wiped and written again each time.
 #include "app/output/progress.h"
 
 #include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
+#include <iostream>
 #include <utility>
+
+#include <fmt/core.h>
+
+#include "app/command_line.h"
+#include "util/interrupt.h"
 
 namespace tyg {
 namespace {
@@ -25,28 +31,37 @@ void Progress::finish() {
   drawn_ = false;
 }
 
-void Progress::show(double fraction) {
-  if (!terminal_) return;
+bool Progress::show(double fraction) {
+  if (terminal_ && Clock::now() >= nextDraw_) draw(fraction);
+  return !interrupted();
+}
+
+std::function<bool(double)> Progress::part(double from, double to) {
+  return [this, from, to](double fraction) { return show(from + (to - from) * fraction); };
+}
+
+void Progress::draw(double fraction) {
   const Clock::time_point now = Clock::now();
-  if (now < nextDraw_) return;
   nextDraw_ = now + kBetweenDraws;
   drawn_ = true;
-  std::fprintf(stderr, "%s%s: %3.0f %%", kWipe, what_.c_str(), std::floor(100 * fraction));
+  fmt::print(stderr, "{}{}: {:3.0f} %", kWipe, what_, std::floor(100 * fraction));
   if (fraction > 0) {
     const double taken = std::chrono::duration<double>(now - start_).count();
-    std::fprintf(stderr, ", %s left (Ctrl-C stops)", readableTime(taken * (1 - fraction) / fraction).c_str());
+    fmt::print(stderr, ", {} left (Ctrl-C stops)", readableTime(taken * (1 - fraction) / fraction));
   }
   std::fflush(stderr);
 }
 
+int sayInterrupted(const std::string& command, const std::string& kept) {
+  std::cerr << command << ": interrupted; " << kept << std::endl;
+  return kInterrupted;
+}
+
 std::string readableTime(double seconds) {
   const auto whole = static_cast<long long>(std::ceil(std::fmin(seconds, 1e15)));
-  const auto pair = [](long long high, const char* highUnit, long long low, const char* lowUnit) {
-    return std::to_string(high) + highUnit + std::to_string(low) + lowUnit;
-  };
-  if (whole < 60) return std::to_string(whole) + " s";
-  if (whole < 3600) return pair(whole / 60, " min ", whole % 60, " s");
-  return pair(whole / 3600, " h ", whole / 60 % 60, " min");
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  return fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
 }
 
 }  // namespace tyg

@@ -1,8 +1,10 @@
-// A line on the terminal that says how far long work is and how long it will still take.
+// What is said while long work goes on: a line on the terminal with the time that it will still take, and that it was
+// interrupted.
 // Must not know: what the work is.
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
 
 namespace tyg {
@@ -17,18 +19,26 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `fraction` of the work done, in [0, 1]. Cheap: draws ten times a second at most.
-  void show(double fraction);
+  /// `fraction` of the work done, in [0, 1]. Cheap: draws ten times a second at most. Returns false after an interrupt:
+  /// the work is then to be stopped.
+  bool show(double fraction);
+  /// An observer of a part of the work, which takes it from one fraction of the whole to another. It calls show().
+  std::function<bool(double)> part(double from = 0, double to = 1);
   /// Wipes the line, so that a message can follow.
   void finish();
 
  private:
   using Clock = std::chrono::steady_clock;
+  void draw(double fraction);
+
   std::string what_;
   bool terminal_;
   bool drawn_ = false;
   Clock::time_point start_ = Clock::now(), nextDraw_;
 };
+
+/// Says on standard error that `command` was interrupted and what is `kept`; returns the exit code for that.
+int sayInterrupted(const std::string& command, const std::string& kept = "nothing was written");
 
 /// A length of time for people: `8 s`, `3 min 20 s`, `2 h 5 min`.
 std::string readableTime(double seconds);

@@ -1,13 +1,14 @@
-// Rendering without a display; see render.h. A sequence is simulated twice: the first time tells how far the cloth
-// moves (and whether it stays stable at all), so that the view can stand still without losing it.
+// A sequence is simulated twice: the first time tells how far the cloth moves (and whether it stays stable at all), so
+// that the camera can stay where it is without losing the cloth.
 #include "app/output/render.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <limits>
 #include <optional>
+
+#include <fmt/core.h>
 
 #include "app/command_line.h"
 #include "app/output/progress.h"
@@ -27,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kFramingPoints = 2000;  // particles per moment that the view is fitted to
+constexpr std::size_t kFramingPoints = 2000;  // particles that the view is fitted to, at each time
 
 enum class Form { Picture, Movie, Folder };
 Form formOf(const fs::path& out) {
@@ -38,16 +39,13 @@ Form formOf(const fs::path& out) {
   return ending == ".png" ? Form::Picture : ending == ".mp4" || ending == ".gif" ? Form::Movie : Form::Folder;
 }
 
-/// A simulation that goes from moment to moment, and what was seen of it.
+/// A simulation that is advanced from picture to picture, and the positions that were last seen.
 class Motion3d {
  public:
-  Motion3d(const Scene& scene, int threads, const std::function<void(double)>& progress)
+  Motion3d(const Scene& scene, int threads, const std::function<bool(double)>& progress)
       : simulation_(scene, findMethod(scene.integrator), Settings{.threads = threads}),
         xyz_(3 * static_cast<std::size_t>(simulation_.sheet().count())) {
-    simulation_.observe([this, progress] {
-      progress(simulation_.time());
-      return !interrupted();
-    });
+    simulation_.observe([this, progress] { return progress(simulation_.time()); });
     simulation_.copyPositions(xyz_);
   }
 
@@ -87,7 +85,7 @@ class Framing {
   std::vector<glm::vec3> points_;
 };
 
-/// Draws moments of one sheet off-screen.
+/// Draws one sheet off-screen.
 class Studio {
  public:
   Studio(const Sheet& sheet, const RenderRequest& request)
@@ -101,7 +99,7 @@ class Studio {
   }
 
  private:
-  /// The scene's push that acts at this moment; its end counts, or a picture of the default moment would not show it.
+  /// The scene's push that acts now; its end counts, or a picture of the default time would not show it.
   static std::optional<ShownPush> pushNow(const Simulation& simulation) {
     for (const Push& push : simulation.scene().pushes) {
       if (simulation.time() >= push.at && simulation.time() <= push.at + push.duration) {
@@ -127,9 +125,7 @@ Studio openStudio(const Sheet& sheet, const RenderRequest& request) {
 }
 
 fs::path frameFile(const RenderRequest& request, std::size_t frame) {
-  std::array<char, 40> name{};
-  std::snprintf(name.data(), name.size(), "frame_%05zu.png", frame);
-  return request.out / name.data();
+  return request.out / fmt::format("frame_{:05}.png", frame);
 }
 
 /// Nothing is computed for an output that cannot be written.
@@ -157,10 +153,7 @@ void checkOutput(const RenderRequest& request) {
 
 int stopped(Simulation& simulation, Progress& progress) {
   progress.finish();
-  if (interrupted()) {
-    std::cerr << "tyg render: interrupted" << std::endl;
-    return kInterrupted;
-  }
+  if (interrupted()) return sayInterrupted("tyg render", "what was not finished was not written");
   const FinishedRun finished{simulation, simulation.ledger(), false, 0,
                              restLatticeLimit(simulation.scene(), simulation.method())};
   std::cerr << "tyg render: " << failureAdvice(finished) << std::endl;
@@ -170,7 +163,7 @@ int stopped(Simulation& simulation, Progress& progress) {
 int renderPicture(const Scene& scene, const RenderRequest& request) {
   const double time = request.times.front();
   Progress progress("tyg render " + scene.name);
-  Motion3d motion(scene, request.threads, [&](double now) { progress.show(now / std::max(time, scene.dt)); });
+  Motion3d motion(scene, request.threads, [&](double now) { return progress.show(now / std::max(time, scene.dt)); });
   Studio studio = openStudio(motion.simulation().sheet(), request);
   if (!motion.reach(time)) return stopped(motion.simulation(), progress);
   Framing framing;
@@ -184,7 +177,7 @@ int renderSequence(const Scene& scene, const RenderRequest& request) {
   const double end = request.times.back();
   Progress progress("tyg render " + scene.name);
   constexpr double kFirstShare = 0.2;  // of the time that both passes take: drawing is the slower part
-  Motion3d scout(scene, request.threads, [&](double now) { progress.show(kFirstShare * now / end); });
+  Motion3d scout(scene, request.threads, [&](double now) { return progress.show(kFirstShare * now / end); });
   Studio studio = openStudio(scout.simulation().sheet(), request);
   Framing framing;
   for (const double time : request.times) {
@@ -196,7 +189,7 @@ int renderSequence(const Scene& scene, const RenderRequest& request) {
   const bool isMovie = formOf(request.out) == Form::Movie;
   std::optional<Movie> movie;
   if (isMovie) movie.emplace(request.out, request.size.x, request.size.y, request.fps);
-  Motion3d motion(scene, request.threads, [](double) {});
+  Motion3d motion(scene, request.threads, [](double) { return !interrupted(); });
   for (std::size_t frame = 0; frame < request.times.size(); ++frame) {
     if (!motion.reach(request.times[frame])) return stopped(motion.simulation(), progress);
     const Picture& picture = studio.draw(motion, camera);

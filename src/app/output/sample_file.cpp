@@ -3,25 +3,21 @@
 
 #include <string>
 
-#include "util/text.h"
+#include "util/csv.h"
 
 namespace tyg {
 
 SampleFile::SampleFile(const std::filesystem::path& path)
     : path_(path), file_(path), stream_(file_.temporary(), std::ios::binary) {
-  stream_ << "t,particle,x,y,z,vx,vy,vz\n";
+  stream_ << csvLine("t", "particle", "x", "y", "z", "vx", "vy", "vz");
 }
 
 void SampleFile::add(const Simulation& simulation) {
   const std::string time = longNumber(simulation.time());
-  std::string row;
   for (int particle = 0; particle < simulation.sheet().count(); ++particle) {
-    const Vec3 position = simulation.position(particle), velocity = simulation.velocity(particle);
-    row = time + "," + std::to_string(particle);
-    for (const double number : {position.x, position.y, position.z, velocity.x, velocity.y, velocity.z}) {
-      row.append(",").append(longNumber(number));
-    }
-    stream_ << row << '\n';
+    const Vec3 x = simulation.position(particle), v = simulation.velocity(particle);
+    stream_ << csvLine(time, particle, longNumber(x.x), longNumber(x.y), longNumber(x.z), longNumber(v.x),
+                       longNumber(v.y), longNumber(v.z));
   }
 }
 

@@ -25,7 +25,8 @@ glm::vec3 unit(const std::array<std::uint8_t, 3>& colour) {
 std::vector<float> positionsAt(const Scene& scene, double time) {
   Simulation simulation(scene, findMethod(scene.integrator));
   if (time > 0) simulation.advanceTo(time);
-  if (simulation.status() != Status::Ok) throw InputError(scene.title + ": its run fails before the picture's moment");
+  if (simulation.status() != Status::Ok)
+    throw InputError(scene.title + ": its run fails before the time of the picture");
   std::vector<float> xyz(3 * static_cast<std::size_t>(simulation.sheet().count()));
   simulation.copyPositions(xyz);
   return xyz;

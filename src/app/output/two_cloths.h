@@ -1,4 +1,4 @@
-// Two motions of one cloth in one picture, at one moment.
+// Two motions of one cloth in one picture, at one time.
 // Must not know: why they are compared, options of the command line.
 #pragma once
 

@@ -1,75 +1,64 @@
-// Words and numbers of `tyg chart`.
+// Numbers have two digits: more would promise more than timing and errors can tell.
 #include "app/reports/chart_report.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <map>
-#include <sstream>
+
+#include <fmt/core.h>
 
 #include "study/work/frontier.h"
+#include "util/text.h"
 
 namespace tyg {
 namespace {
 
-std::ostringstream stream() {
-  std::ostringstream text;
-  text << std::setprecision(2);
-  return text;
-}
-
 std::string amplificationText(const Reference& reference) {
-  std::ostringstream text = stream();
   const auto lost = std::ranges::find_if(reference.amplification, [](double a) { return a > Reference::kTwinLost; });
   if (lost != reference.amplification.end()) {
     const auto k = static_cast<std::size_t>(lost - reference.amplification.begin());
-    text << "a disturbance grows a million times by t = " << reference.motion.times[k] << " s";
-  } else {
-    const double most = std::ranges::max(reference.amplification);
-    text << "a small disturbance " << (most > 1 ? "grows " : "shrinks, to at most ") << most << " times";
+    return fmt::format("a disturbance grows a million times by t = {:.2g} s", reference.motion.times[k]);
   }
-  return text.str();
+  const double most = std::ranges::max(reference.amplification);
+  return fmt::format("a small disturbance {} {:.2g} times", most > 1 ? "grows" : "shrinks, to at most", most);
+}
+
+std::string costText(double cost, Cost kind) {
+  return kind == Cost::Seconds ? fmt::format("{:.2g} ms", 1000 * cost) : std::to_string(std::llround(cost));
 }
 
 std::string winners(const WorkChart& chart, double error, Cost cost) {
-  std::ostringstream text = stream();
-  const std::vector<Price> prices = pricesOf(chart.rows, error, cost);
   constexpr std::size_t kShown = 3;
-  for (std::size_t k = 0; k < std::min(kShown, prices.size()); ++k) {
-    const Price& price = prices[k];
-    text << (k == 0 ? "" : ", ") << price.integrator << (price.precision == Precision::Float ? " in float " : " ");
-    if (cost == Cost::Seconds) {
-      text << 1000 * price.cost / chart.duration << " ms";
-    } else {
-      text << std::llround(price.cost / chart.duration);
-    }
-  }
-  return prices.empty() ? "none" : text.str();
+  std::vector<Price> prices = pricesOf(chart.rows, error, cost);
+  if (prices.empty()) return "none";
+  prices.resize(std::min(kShown, prices.size()));
+  return joined(prices, [&](const Price& price) {
+    return fmt::format("{}{} {}", price.integrator, price.precision == Precision::Float ? " in float" : "",
+                       costText(price.cost / chart.duration, cost));
+  });
 }
 
 }  // namespace
 
 std::vector<std::string> chartNotes(const Reference& reference, const std::string& machine, int threads) {
   const Scene& scene = reference.scene;
-  std::ostringstream first = stream(), second = stream();
-  first << scene.columns << " x " << scene.rows << " particles, " << std::setprecision(6) << scene.duration
-        << " s simulated; " << machine << ", " << threads << (threads == 1 ? " thread" : " threads")
-        << "; error: RMS distance over all particles from the reference, the largest at "
-        << reference.motion.times.size() << " times";
-  second << "reference: dopri54 within " << reference.scene.tolerance << " m a step; rk4 in steps of "
-         << reference.secondStep << " s agrees to " << reference.disagreement.back() / reference.size
-         << " of the size; " << amplificationText(reference);
-  return {first.str(), second.str()};
+  return {fmt::format("{} x {} particles, {:g} s simulated; {}, {} thread{}; error: RMS distance over all particles "
+                      "from the reference, the largest at {} times",
+                      scene.columns, scene.rows, scene.duration, machine, threads, threads == 1 ? "" : "s",
+                      reference.motion.times.size()),
+          fmt::format("reference: dopri54 within {:.2g} m a step; rk4 in steps of {:.2g} s agrees to {:.2g} of the "
+                      "size; {}",
+                      scene.tolerance, reference.secondStep, reference.disagreement.back() / reference.size,
+                      amplificationText(reference))};
 }
 
 std::string cheapestMethods(const WorkChart& chart) {
-  std::ostringstream text;
-  text << "error/size  cheapest by time (per simulated second); by force evaluations\n";
+  std::string text = "error/size  cheapest by time (per simulated second); by force evaluations\n";
   for (const double error : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10}) {
-    text << std::setw(10) << error << "  " << winners(chart, error * chart.size, Cost::Seconds) << "; "
-         << winners(chart, error * chart.size, Cost::Evaluations) << "\n";
+    text += fmt::format("{:>10g}  {}; {}\n", error, winners(chart, error * chart.size, Cost::Seconds),
+                        winners(chart, error * chart.size, Cost::Evaluations));
   }
-  return text.str();
+  return text;
 }
 
 std::string speedChanges(const WorkChart& chart, const std::vector<WorkRow>& earlier) {
@@ -83,33 +72,32 @@ std::string speedChanges(const WorkChart& chart, const std::vector<WorkRow>& ear
       }
     }
   }
-  std::ostringstream text = stream();
+  std::string text;
   for (auto& [method, values] : ratios) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::ranges::nth_element(values, middle);
-    text << method << ": " << *middle << " times the seconds of before per simulated second (middle of "
-         << values.size() << " rows)\n";
+    text += fmt::format("{}: {:.2g} times the seconds of before per simulated second (middle of {} rows)\n", method,
+                        *middle, values.size());
   }
-  return text.str();
+  return text;
 }
 
 std::string sheetLines(const std::vector<SheetDistance>& sheets, double size) {
-  std::ostringstream text = stream();
+  std::string text;
   for (const SheetDistance& sheet : sheets) {
-    text << "the same cloth as " << sheet.grid.columns << "x" << sheet.grid.rows << " is " << sheet.distance.rms / size
-         << " of the size away (RMS), " << sheet.distance.largest << " m at most\n";
+    text += fmt::format("the same cloth as {}x{} is {:.2g} of the size away (RMS), {:.2g} m at most\n",
+                        sheet.grid.columns, sheet.grid.rows, sheet.distance.rms / size, sheet.distance.largest);
   }
-  return text.str();
+  return text;
 }
 
 std::string sheetsCsv(const std::vector<SheetDistance>& sheets) {
-  std::ostringstream text;
-  text << "columns,rows,rms_distance_m,max_distance_m\n" << std::setprecision(17);
+  std::string text = "columns,rows,rms_distance_m,max_distance_m\n";
   for (const SheetDistance& sheet : sheets) {
-    text << sheet.grid.columns << "," << sheet.grid.rows << "," << sheet.distance.rms << "," << sheet.distance.largest
-         << "\n";
+    text += fmt::format("{},{},{:.17g},{:.17g}\n", sheet.grid.columns, sheet.grid.rows, sheet.distance.rms,
+                        sheet.distance.largest);
   }
-  return text.str();
+  return text;
 }
 
 }  // namespace tyg

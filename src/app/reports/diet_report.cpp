@@ -1,7 +1,10 @@
-// Words and numbers of a diet.
+// The table, the objects and the rows of a diet; numbers in the table are cut to what they can mean.
 #include "app/reports/diet_report.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include <fmt/core.h>
 
 #include "app/reports/json.h"
 #include "tyg/methods.h"
@@ -13,64 +16,69 @@ namespace {
 
 std::string settingWords(const Scene& scene) {
   const bool adaptive = findMethod(scene.integrator).adaptive;
-  return scene.integrator +
-         (adaptive ? formatted(", tolerance %.3g m, ", scene.tolerance) : formatted(", %.4g s, ", scene.dt)) +
-         nameOf(scene.precision);
+  return fmt::format("{}, {}, {}", scene.integrator,
+                     adaptive ? fmt::format("tolerance {:.3g} m", scene.tolerance) : fmt::format("{:.4g} s", scene.dt),
+                     nameOf(scene.precision));
 }
 
 /// A number in eight characters at most. `least`: below it, rounding is all that is left.
-std::string cell(double number, const char* format = "%.3g", double least = 0) {
+std::string cell(double number, double least = 0) {
   if (!std::isfinite(number)) return "-";
-  return std::abs(number) < least ? "0" : formatted(format, number);
+  return std::abs(number) < least ? "0" : fmt::format("{:.3g}", number);
 }
 
+std::string metres(double number) { return std::isfinite(number) ? fmt::format("{:.3f}", number) : "-"; }
+
 std::string percent(double fraction) {
+  if (!std::isfinite(fraction)) return "-";
   constexpr double kNearlyAll = 0.99;
-  return cell(100 * fraction, fraction > kNearlyAll && fraction < 1 ? "%.1f %%" : "%.0f %%");
+  return fmt::format("{:.{}f} %", 100 * fraction, fraction > kNearlyAll && fraction < 1 ? 1 : 0);
 }
+
+constexpr const char* kTableLine = "{:<20} {:>9} {:>8} {:>7} {:>7} {:>9} {:>6}";
 
 std::string tableLine(const DietRow& row, const Diet& diet, const std::string& words) {
   const bool failed = row.status != RowStatus::Ok;
   const char* verdict = failed ? "fails" : row.within ? "within" : "beyond";
   constexpr double kLeast = 1e-5, kLeastStretch = 1e-3, kLeastEnergy = 1e-6;  // mm, %, J: below is rounding
-  const std::string lost = cell(1e3 * row.lost.rms, "%.3g", kLeast);
+  const std::string lost = cell(1e3 * row.lost.rms, kLeast);
   const bool uncertain = !failed && lost != "0" && !row.meant(diet.judgedUpTo);
-  return formatted("%-20s %9s %8s %7s %7s %9s %6s  %s\n", words.c_str(), ((uncertain ? "~" : "") + lost).c_str(),
-                   cell(1e3 * row.lost.largest, "%.3g", kLeast).c_str(),
-                   cell(100 * row.maxStretch, "%.3g", kLeastStretch).c_str(), cell(row.sag, "%.3f").c_str(),
-                   cell(row.energy, "%.3g", kLeastEnergy).c_str(), percent(row.saved).c_str(), verdict);
+  return fmt::format(kTableLine, words, (uncertain ? "~" : "") + lost, cell(1e3 * row.lost.largest, kLeast),
+                     cell(100 * row.maxStretch, kLeastStretch), metres(row.sag), cell(row.energy, kLeastEnergy),
+                     percent(row.saved)) +
+         "  " + verdict + "\n";
 }
 
 std::string togetherSentence(const Diet& diet) {
   if (!diet.written.within) {
-    return "The scene as written is itself further off than that: nothing can be taken away.\n";
+    return "The scene as written is already further off than that, so nothing can be left out.\n";
   }
-  if (diet.together.empty()) return "Together: nothing can be taken away.\n";
-  const DietRow& lean = diet.leanest();
-  return "Together " + percent(lean.saved) + " of the time is saved and " + lengthText(lean.lost.rms) + " is lost.\n";
+  if (diet.together.empty()) return "Together: nothing can be left out.\n";
+  const DietRow& reduced = diet.reduced();
+  return fmt::format("Together these changes save {} of the time and lose {}.\n", percent(reduced.saved),
+                     lengthText(reduced.lost.rms));
 }
 
 std::string judgedSentence(const DietFindings& findings) {
   const Diet& diet = findings.diet;
   const double duration = findings.reference.scene.duration;
-  std::string text = formatted(
+  std::string text = fmt::format(
       "lost: largest RMS distance from the exact motion over the run; most: of any one\n"
-      "particle; within or beyond %s (%.3g %% of the sheet).\n",
-      lengthText(diet.within).c_str(), 100 * diet.within / findings.reference.size);
+      "particle; within or beyond {} ({:.3g} % of the sheet).\n",
+      lengthText(diet.within), 100 * diet.within / findings.reference.size);
   if (diet.judgedUpTo < duration) {
-    text += formatted("Judged up to %.3g s of %.3g: from there on a rounding error grows to a tenth of that.\n",
-                      diet.judgedUpTo, duration);
+    text += fmt::format("Judged up to {:.3g} s of {:.3g} s: later a rounding error grows to a tenth of that.\n",
+                        diet.judgedUpTo, duration);
   }
-  return text + "~: rounding errors, as this cloth amplifies them, may be most of it.\n";
+  return text + "~: most of this number may be rounding errors, which this cloth amplifies.\n";
 }
 
 std::string needLine(const Need& need, const Diet& diet) {
-  const bool lean = need.tooLean(diet.within);
-  std::string text = formatted("%-20s %9s  ", need.words.c_str(), cell(1e3 * need.change.rms).c_str());
+  const std::string text = fmt::format("{:<20} {:>9}  ", need.words, cell(1e3 * need.change.rms));
   if (std::isnan(need.change.rms)) return text + "its run fails\n";
-  return text + (lean ? "TOO LEAN: " : "enough: ") +
-         (need.kind == Need::Kind::Sheet ? "the present sheet" : "the present step") +
-         (lean ? " is further off than " + lengthText(diet.within) : std::string(" will do")) + "\n";
+  const char* part = need.kind == Need::Kind::Sheet ? "sheet" : "step";
+  if (!need.tooLean(diet.within)) return text + fmt::format("enough: the present {} will do\n", part);
+  return text + fmt::format("TOO COARSE: the present {} is further off than {}\n", part, lengthText(diet.within));
 }
 
 std::string needsText(const DietFindings& findings) {
@@ -79,8 +87,8 @@ std::string needsText(const DietFindings& findings) {
     text += needLine(need, findings.diet);
     constexpr double kGrows = 1.1;
     if (need.kind == Need::Kind::Sheet && findings.byPoints && need.finerStretch > kGrows * need.stretch) {
-      text += formatted(
-          "It hangs by points: the largest stretch grows from %.3g to %.3g %% on the finer\n"
+      text += fmt::format(
+          "It hangs by points: the largest stretch grows from {:.3g} to {:.3g} % on the finer\n"
           "sheet and would go on growing. Pin a patch or an edge where that matters.\n",
           100 * need.stretch, 100 * need.finerStretch);
     }
@@ -88,57 +96,58 @@ std::string needsText(const DietFindings& findings) {
   return text;
 }
 
-std::string rowJson(const DietRow& row, const Diet& diet) {
-  JsonObject json;
-  json.add("change", row.words);
-  json.add("columns", row.scene.columns);
-  json.add("rows", row.scene.rows);
-  json.add("integrator", row.scene.integrator);
-  json.add("precision", nameOf(row.scene.precision));
-  json.add("dt", row.scene.dt);
-  json.add("tolerance", row.scene.tolerance);
-  json.add("status", nameOf(row.status));
-  json.add("rms_error_m", row.lost.rms);
-  json.add("max_error_m", row.lost.largest);
-  json.add("floor_m", row.floor);
-  json.add("horizon_s", row.horizon);
-  json.add("max_stretch", row.maxStretch);
-  json.add("sag_m", row.sag);
-  json.add("energy_J", row.energy);
-  json.add("work", row.work);
-  json.add("seconds", row.seconds);
-  json.add("saved", row.saved);
-  json.addRaw("within", row.within ? "true" : "false");
-  json.addRaw("meant", row.meant(diet.judgedUpTo) ? "true" : "false");
-  return json.text();
+Json rowJson(const DietRow& row, const Diet& diet) {
+  return {
+      {"change", row.words},
+      {"columns", row.scene.columns},
+      {"rows", row.scene.rows},
+      {"integrator", row.scene.integrator},
+      {"precision", nameOf(row.scene.precision)},
+      {"dt", row.scene.dt},
+      {"tolerance", row.scene.tolerance},
+      {"status", nameOf(row.status)},
+      {"rms_error_m", row.lost.rms},
+      {"max_error_m", row.lost.largest},
+      {"floor_m", row.floor},
+      {"horizon_s", row.horizon},
+      {"max_stretch", row.maxStretch},
+      {"sag_m", row.sag},
+      {"energy_J", row.energy},
+      {"work", row.work},
+      {"seconds", row.seconds},
+      {"saved", row.saved},
+      {"within", row.within},
+      {"meant", row.meant(diet.judgedUpTo)},
+  };
 }
 
-template <class Item, class Json>
-std::string listJson(const std::vector<Item>& items, const Json& json) {
-  return "[" + joined(items, json) + "]";
+Json needJson(const Need& need, const Diet& diet) {
+  return {
+      {"finer", need.words},
+      {"change_m", need.change.rms},
+      {"max_stretch", need.stretch},
+      {"finer_max_stretch", need.finerStretch},
+      {"too_lean", need.tooLean(diet.within)},
+  };
 }
 
-std::string needJson(const Need& need, const Diet& diet) {
-  JsonObject json;
-  json.add("finer", need.words);
-  json.add("change_m", need.change.rms);
-  json.add("max_stretch", need.stretch);
-  json.add("finer_max_stretch", need.finerStretch);
-  json.addRaw("too_lean", need.tooLean(diet.within) ? "true" : "false");
-  return json.text();
+template <class Item, class ToJson>
+Json listJson(const std::vector<Item>& items, const ToJson& toJson) {
+  Json list = Json::array();
+  for (const Item& item : items) list.push_back(toJson(item));
+  return list;
 }
 
 std::string rowCsv(const char* part, const DietRow& row) {
   const Scene& scene = row.scene;
-  std::string text = formatted("%s,%s,%d,%d,%s,%s,%.17g,%.17g,%s", part, row.words.c_str(), scene.columns, scene.rows,
-                               scene.integrator.c_str(), nameOf(scene.precision), scene.dt, scene.tolerance,
-                               std::string(nameOf(row.status)).c_str());
+  std::string text =
+      fmt::format("{},{},{},{},{},{},{:.17g},{:.17g},{}", part, row.words, scene.columns, scene.rows, scene.integrator,
+                  nameOf(scene.precision), scene.dt, scene.tolerance, nameOf(row.status));
   for (const double number :
        {row.lost.rms, row.lost.largest, row.floor, row.horizon, row.maxStretch, row.sag, row.energy}) {
-    text += formatted(",%.17g", number);
+    text += fmt::format(",{:.17g}", number);
   }
-  return text + formatted(",%lld,%.6g,%.6g,%d\n", static_cast<long long>(row.work), row.seconds, row.saved,
-                          row.within ? 1 : 0);
+  return text + fmt::format(",{},{:.6g},{:.6g},{:d}\n", row.work, row.seconds, row.saved, row.within);
 }
 
 }  // namespace
@@ -146,12 +155,10 @@ std::string rowCsv(const char* part, const DietRow& row) {
 std::string dietTable(const DietFindings& findings) {
   const Diet& diet = findings.diet;
   const Scene& scene = diet.written.scene;
-  std::string text = scene.title +
-                     formatted(": %d x %d particles, %.4g s, ", scene.columns, scene.rows, scene.duration) +
-                     settingWords(scene) + "\n\n";
-  text += formatted("%-20s %9s %8s %7s %7s %9s %6s\n", "one change at a time", "lost", "most", "stretch", "sag",
-                    "energy", "saved");
-  text += formatted("%-20s %9s %8s %7s %7s %9s %6s\n", "", "mm", "mm", "%", "m", "J", "time");
+  std::string text = fmt::format("{}: {} x {} particles, {:.4g} s, {}\n\n", scene.title, scene.columns, scene.rows,
+                                 scene.duration, settingWords(scene));
+  text += fmt::format(kTableLine, "one change at a time", "lost", "most", "stretch", "sag", "energy", "saved") + "\n";
+  text += fmt::format(kTableLine, "", "mm", "mm", "%", "m", "J", "time") + "\n";
   text += tableLine(diet.written, diet, diet.written.words);
   for (const DietRow& row : diet.alone) text += tableLine(row, diet, row.words);
   if (!diet.together.empty()) text += "together\n";
@@ -160,30 +167,25 @@ std::string dietTable(const DietFindings& findings) {
 }
 
 std::string obstacleJson(const Scene& scene, double within, const std::string& problem) {
-  JsonObject json;
-  json.add("scene", scene.name);
-  json.add("within_m", within);
-  json.add("problem", problem);
-  return json.text();
+  return jsonText({{"scene", scene.name}, {"within_m", within}, {"problem", problem}});
 }
 
 std::string dietJson(const DietFindings& findings) {
   const Diet& diet = findings.diet;
   const auto row = [&](const DietRow& item) { return rowJson(item, diet); };
-  bool lean = false;
-  for (const Need& need : findings.needs) lean = lean || need.tooLean(diet.within);
-  JsonObject json;
-  json.add("scene", diet.written.scene.name);
-  json.add("size_m", findings.reference.size);
-  json.add("within_m", diet.within);
-  json.add("judged_up_to_s", diet.judgedUpTo);
-  json.addRaw("written", row(diet.written));
-  json.addRaw("alone", listJson(diet.alone, row));
-  json.addRaw("together", listJson(diet.together, row));
-  json.addRaw("finer", listJson(findings.needs, [&](const Need& need) { return needJson(need, diet); }));
-  json.addRaw("too_lean", lean ? "true" : "false");
-  json.addRaw("hangs_by_points", findings.byPoints ? "true" : "false");
-  return json.text();
+  const auto tooLean = [&](const Need& need) { return need.tooLean(diet.within); };
+  return jsonText({
+      {"scene", diet.written.scene.name},
+      {"size_m", findings.reference.size},
+      {"within_m", diet.within},
+      {"judged_up_to_s", diet.judgedUpTo},
+      {"written", row(diet.written)},
+      {"alone", listJson(diet.alone, row)},
+      {"together", listJson(diet.together, row)},
+      {"finer", listJson(findings.needs, [&](const Need& need) { return needJson(need, diet); })},
+      {"too_lean", std::ranges::any_of(findings.needs, tooLean)},
+      {"hangs_by_points", findings.byPoints},
+  });
 }
 
 std::string dietCsv(const DietFindings& findings) {
@@ -194,9 +196,9 @@ std::string dietCsv(const DietFindings& findings) {
   for (const DietRow& row : findings.diet.alone) csv += rowCsv("alone", row);
   for (const DietRow& row : findings.diet.together) csv += rowCsv("together", row);
   for (const Need& need : findings.needs) {
-    csv += formatted("finer,%s,,,,,,,%s,%.17g,%.17g,,,%.17g,,,,,,%d\n", need.words.c_str(),
-                     std::isfinite(need.change.rms) ? "ok" : "unstable", need.change.rms, need.change.largest,
-                     need.finerStretch, need.tooLean(findings.diet.within) ? 0 : 1);
+    csv += fmt::format("finer,{},,,,,,,{},{:.17g},{:.17g},,,{:.17g},,,,,,{:d}\n", need.words,
+                       std::isfinite(need.change.rms) ? "ok" : "unstable", need.change.rms, need.change.largest,
+                       need.finerStretch, !need.tooLean(findings.diet.within));
   }
   return csv;
 }
@@ -205,11 +207,11 @@ std::string leanComment(const DietFindings& findings) {
   const Diet& diet = findings.diet;
   std::vector<std::string> words;
   for (const DietRow& row : diet.together) words.push_back(row.words);
-  return "Made by `tyg diet " + diet.written.scene.name + "`: the leanest scene found within " +
-         lengthText(diet.within) + ".\n" +
-         (words.empty() ? std::string("Nothing could be taken away.") : "Changes: " + joined(words) + ".") + "\n" +
-         "It loses " + lengthText(diet.leanest().lost.rms) +
-         formatted(" and saves %.0f %% of the time.", 100 * diet.leanest().saved);
+  return fmt::format(
+      "Made by `tyg diet {}`: the most reduced scene found within {}.\n{}\nIt loses {} and saves {:.0f} % of the time.",
+      diet.written.scene.name, lengthText(diet.within),
+      words.empty() ? "Nothing could be left out." : "Changes: " + joined(words) + ".",
+      lengthText(diet.reduced().lost.rms), 100 * diet.reduced().saved);
 }
 
 }  // namespace tyg

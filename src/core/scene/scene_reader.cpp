@@ -1,19 +1,14 @@
 // Scene files: which keys they have, what each may hold, where built-in scenes come from.
 // Must not know: what a simulation does with a scene.
-#include <cerrno>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <sstream>
 #include <string>
-#include <system_error>
 
 #include "core/scene/scene_table.h"
 #include "core/scene/term_keys.h"
 #include "tyg/scene.h"
 #include "tyg/sheet.h"
 #include "util/text.h"
+#include "util/whole_file.h"
 
 namespace tyg {
 namespace {
@@ -130,21 +125,6 @@ void readRoot(SceneTable root, Scene& scene, std::span<const std::string_view> m
 
 std::string builtinNames() { return joined(builtinScenes(), &BuiltinScene::name); }
 
-std::string readFile(const std::string& path) {
-  const auto refuse = [&path](const std::string& found) {
-    throw InputError("cannot read the scene '" + path + "': " + found +
-                     "; allowed: the path of a .toml file, or one of the built-in scenes " + builtinNames());
-  };
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) refuse("it is a folder");
-  std::ifstream in(path, std::ios::binary);
-  if (!in) refuse(std::generic_category().message(errno));
-  std::ostringstream text;
-  if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();  // nothing to copy would count as a failure
-  if (in.bad() || !text) refuse("reading failed");
-  return text.str();
-}
-
 }  // namespace
 
 const char* nameOf(Precision precision) { return precision == Precision::Float ? "float" : "double"; }
@@ -166,7 +146,8 @@ Scene loadScene(const std::string& nameOrPath, std::span<const std::string_view>
   for (const BuiltinScene& scene : builtinScenes()) {
     if (scene.name == nameOrPath) return parseScene(scene.text, nameOrPath, methods);
   }
-  return parseScene(readFile(nameOrPath), nameOrPath, methods);
+  const std::string allowed = "the path of a .toml file, or one of the built-in scenes " + builtinNames();
+  return parseScene(readWholeFile(nameOrPath, "cannot read the scene", allowed), nameOrPath, methods);
 }
 
 }  // namespace tyg

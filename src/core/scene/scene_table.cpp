@@ -2,6 +2,7 @@
 // Must not know: which keys a scene has.
 #include "core/scene/scene_table.h"
 #include "util/text.h"
+#include "util/utf8.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,12 +36,9 @@ std::string textOf(const toml::node& value) {
 }
 
 /// Not too long for a message, and with no character cut in two.
-std::string shortened(std::string text) {
+std::string shortened(const std::string& text) {
   constexpr std::size_t kLongest = 60;
-  if (text.size() <= kLongest) return text;
-  std::size_t end = kLongest;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // inside a UTF-8 character
-  return text.substr(0, end) + "...";
+  return text.size() <= kLongest ? text : std::string(cutToBytes(text, kLongest)) + "...";
 }
 
 /// TOML has whole numbers and others; a scene takes either where a number is asked for.

@@ -9,7 +9,7 @@
 
 namespace tyg {
 
-/// `springs.shear.ks` is `ks` in the table `shear` in the table `springs`; `world.drag` has no inner table.
+/// `springs.shear.ks` is `ks` in the table `shear` in the table `springs`; `world.gravity` has no inner table.
 struct KeyParts {
   std::string_view table, inner, last;
 };

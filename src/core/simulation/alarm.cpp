@@ -1,4 +1,4 @@
-// See alarm.h.
+// The sums whose rise sets the alarm off, and the scale that rises are compared with.
 #include "core/simulation/alarm.h"
 
 #include <algorithm>
@@ -32,14 +32,14 @@ void Alarm::Sum::take(double value, double large, bool first) {
   if (value > lowest) largestRise = std::max(largestRise, (value - lowest) / large);
 }
 
-Status Alarm::look(const StoredEnergy& energy, double work) {
+Status Alarm::check(const StoredEnergy& energy, double work) {
   const double stored = energy.kinetic + energy.elastic + energy.gravitational - work;
   if (!std::isfinite(stored + lost_)) return Status::NotFinite;
   largest_ = std::max({largest_, std::abs(energy.gravitational), std::abs(work)});
   const double large = scale() + firstSteps_;
-  stored_.take(stored, large, !looked_);
-  if (lossIsPresent_) balance_.take(stored + lost_, large, !looked_);
-  looked_ = true, lossIsPresent_ = false;
+  stored_.take(stored, large, !checked_);
+  if (lossIsPresent_) balance_.take(stored + lost_, large, !checked_);
+  checked_ = true, lossIsPresent_ = false;
   return std::max(storedRise(), balanceRise()) > kThreshold ? Status::Unstable : Status::Ok;
 }
 

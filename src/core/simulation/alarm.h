@@ -13,8 +13,8 @@ namespace tyg {
 class Alarm {
  public:
   /// A rise of K + E + G - W by this fraction of the scale, or of K + E + G - W + D with D what damping took during
-  /// about the last kMemory regular looks, means that the run is unstable. How often this is wrong: README, "The
-  /// alarm", as measured by tests/benchmarks/alarm_statistics.cpp.
+  /// about the last kMemory regular looks, means that the run is unstable. How often this is wrong: docs/stability.md,
+  /// "How often it is wrong", as measured by tests/benchmarks/alarm_statistics.cpp.
   static constexpr double kThreshold = 0.25;
   static constexpr double kMemory = 16;
 
@@ -22,9 +22,9 @@ class Alarm {
   /// `startEnergy` = K + E at the start.
   Alarm(double floor, double startEnergy) : floor_(floor), largest_(startEnergy) {}
 
-  /// Takes the power (W) that damping and drag take at a time (s), at the regular looks alone and before look().
+  /// Takes the power (W) that damping and drag take at a time (s), at the regular checks alone and before check().
   /// Between two of them the loss is estimated as their distance in time times the lower of their powers: too little
-  /// wherever motion dies out or swells, and hardly too little for a jitter, which goes on. Each look forgets a part
+  /// wherever motion dies out or swells, and hardly too little for a jitter, which goes on. Each check forgets a part
   /// 1/kMemory of D, so that small errors of the estimate do not add up over a long run; forgetting never lifts the
   /// sum.
   void lose(double power, double time);
@@ -33,9 +33,9 @@ class Alarm {
   /// after n steps, with nothing else to compare it to while n is small: five of them keep the alarm quiet over the
   /// first steps, and are nothing later.
   void expect(double forcing, double h);
-  /// Takes the energies of a moment (J) and says how the run stands. May be called as often as one likes: the balance
-  /// moves only with the first look after lose(), where stored and lost energy are of the same moment.
-  Status look(const StoredEnergy& energy, double work);
+  /// Takes the energies of a moment (J) and returns the status of the run. May be called as often as one likes: the
+  /// balance moves only with the first check after lose(), where stored and lost energy are of the same moment.
+  Status check(const StoredEnergy& energy, double work);
 
   /// S: the largest over the run of |G|, |W| and K + E at the start, plus the floor, J.
   [[nodiscard]] double scale() const { return largest_ + floor_; }
@@ -53,7 +53,7 @@ class Alarm {
   double floor_ = 0, largest_ = 0, firstSteps_ = 0;
   double lost_ = 0, lastPower_ = 0, lastTime_ = 0;
   Sum stored_, balance_;
-  bool looked_ = false, lossIsPresent_ = true;
+  bool checked_ = false, lossIsPresent_ = true;
 };
 
 /// The alarm of a scene that starts with these energies.

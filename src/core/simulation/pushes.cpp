@@ -1,4 +1,4 @@
-// See pushes.h.
+// A scene's pushes begin and end at times, those made by hand at ticks; both do work while they act.
 #include "core/simulation/pushes.h"
 
 #include <algorithm>
@@ -34,12 +34,12 @@ void Pushes::add(int particle, const Vec3& force, std::int64_t firstTick, std::i
   pushes_.push_back({.particle = particle, .force = force, .firstTick = firstTick, .endTick = endTick, .byHand = true});
 }
 
-bool Pushes::switchAt(const Instant& now, const MovingSheet& moving) {
+bool Pushes::switchAt(const Instant& now, const Backend& backend) {
   bool jump = false;
   for (Push& push : pushes_) {
     if (push.actsAt(now) == push.acting) continue;
     jump = true;
-    const Vec3 here = moving.position(push.particle);
+    const Vec3 here = backend.position(push.particle);
     if (push.acting) finishedWork_ += push.workUpTo(here);
     push.from = here;
     push.acting = !push.acting;
@@ -48,10 +48,10 @@ bool Pushes::switchAt(const Instant& now, const MovingSheet& moving) {
   return jump;
 }
 
-void Pushes::applyTo(MovingSheet& moving) const {
-  moving.clearPushes();
+void Pushes::applyTo(Backend& backend) const {
+  backend.clearPushes();
   for (const Push& push : pushes_) {
-    if (push.acting) moving.addPush(push.particle, push.force);
+    if (push.acting) backend.addPush(push.particle, push.force);
   }
 }
 
@@ -64,10 +64,10 @@ double Pushes::forcing(const Scene& scene, const Sheet& sheet) const {
   return root * root;
 }
 
-double Pushes::work(const MovingSheet& moving) const {
+double Pushes::work(const Backend& backend) const {
   double sum = finishedWork_;
   for (const Push& push : pushes_) {
-    if (push.acting) sum += push.workUpTo(moving.position(push.particle));
+    if (push.acting) sum += push.workUpTo(backend.position(push.particle));
   }
   return sum;
 }

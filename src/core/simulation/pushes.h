@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/simulation/moving_sheet.h"
+#include "core/simulation/backend.h"
 
 namespace tyg {
 
@@ -23,14 +23,14 @@ class Pushes {
   void add(int particle, const Vec3& force, std::int64_t firstTick, std::int64_t endTick);
 
   /// Lets pushes begin and end that do so now. Says whether any did: the force jumps, and has to be applied anew.
-  bool switchAt(const Instant& now, const MovingSheet& moving);
+  bool switchAt(const Instant& now, const Backend& backend);
   /// Hands those that act to the sheet, instead of what it had.
-  void applyTo(MovingSheet& moving) const;
+  void applyTo(Backend& backend) const;
   /// The largest sum over the particles of |F|^2 / m that gravity and those that act can make, J/s2.
   [[nodiscard]] double forcing(const Scene& scene, const Sheet& sheet) const;
 
   /// Force times the distance moved, of all so far, J.
-  [[nodiscard]] double work(const MovingSheet& moving) const;
+  [[nodiscard]] double work(const Backend& backend) const;
   /// What something else has put into the sheet, J.
   void addWork(double work) { finishedWork_ += work; }
 

@@ -1,9 +1,11 @@
-// What callers ask of a simulation that stands still, and its snapshots. How it walks is in simulation_walk.cpp, what
-// it accounts for in simulation_looks.cpp, what is done to it in simulation_edits.cpp.
+// The public face of a simulation: each function asks one part of the inside. How it steps is in simulation_steps.cpp,
+// what happens to it in simulation_events.cpp.
 #include "tyg/simulation.h"
 
-#include "core/simulation/simulation_body.h"
-#include "util/text.h"
+#include <fmt/core.h>
+
+#include "core/simulation/live_parameters.h"
+#include "core/simulation/simulation_impl.h"
 
 namespace tyg {
 
@@ -18,77 +20,114 @@ std::string_view nameOf(Status status) {
   }
 }
 
-Simulation::Body::Body(Scene wanted, const Method& method, const Settings& asked)
+Simulation::Impl::Impl(Scene wanted, const Method& method, const Settings& asked)
     : scene(std::move(wanted)),
-      started(scene),
+      startScene(scene),
       sheet(makeSheet(scene)),
       settings(asked),
       workers(asked.threads > 0 ? asked.threads : defaultThreads(sheet.count())),
-      moving(makeMovingSheet(scene, sheet, method, workers, asked.ledger)),
-      run(scene, sheet, method, moving->energy(), asked.ledger) {
+      backend(makeBackend(scene, sheet, method, workers, asked.ledger)),
+      run(scene, sheet, method, backend->energy(), asked.ledger) {
   applyPushes();
-  look();
+  run.energies.check(sample());
 }
 
-void Simulation::Body::restore(const Saved& saved) {
-  if (saved.world != worldOf(scene)) {
-    setWorld(scene, saved.world);
-    moving->useWorld();
+Simulation::Impl::Checkpoint Simulation::Impl::checkpoint() const { return {run, liveValues(scene), backend->save()}; }
+
+void Simulation::Impl::goBackTo(const Checkpoint& checkpoint) {
+  if (checkpoint.liveValues != liveValues(scene)) {
+    setLiveValues(scene, checkpoint.liveValues);
+    backend->useLiveParameters();
   }
-  run = saved.run;
-  moving->restore(*saved.moment);
+  run = checkpoint.run;
+  backend->restore(*checkpoint.moved);
   applyPushes();
-  if (run.ledger != settings.ledger) followLedger(settings.ledger);
+  if (run.energies.followsLedger() != settings.ledger) trackDissipation(settings.ledger);
+}
+
+EnergySample Simulation::Impl::sample() const {
+  return {backend->energy(), run.pushes.work(*backend), backend->dissipated(), run.clock.time()};
+}
+
+void Simulation::Impl::trackDissipation(bool on) {
+  settings.ledger = on;
+  backend->trackDissipation(on);
+  run.energies.followLedger(on, sample());
 }
 
 Simulation::Simulation(const Scene& scene, const Method& method, const Settings& settings)
-    : body_(std::make_unique<Body>(scene, method, settings)) {}
+    : impl_(std::make_unique<Impl>(scene, method, settings)) {}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
-void Simulation::observe(std::function<bool()> observer) { body_->observer = std::move(observer); }
+void Simulation::advanceTo(double time) {
+  impl_->stopAsked = false;
+  impl_->runTo(time);
+  check();
+  impl_->run.clock.startTicksHere();
+}
+void Simulation::tick(std::int64_t count) { impl_->runTicks(count); }
+void Simulation::observe(std::function<bool()> observer) { impl_->observer = std::move(observer); }
 
-void Simulation::keepGoing(bool yes) { body_->settings.keepGoing = yes; }
+void Simulation::push(int particle, const Vec3& force, int ticks) {
+  impl_->apply(PushEvent{particle, force, ticks}, {});
+}
+void Simulation::useMethod(const Method& method) {
+  impl_->apply(MethodEvent{std::string(method.name)}, std::span(&method, 1));
+}
+void Simulation::useStep(double dt) { impl_->apply(StepEvent{dt}, {}); }
+void Simulation::useLiveParameters(const Scene& scene) {
+  for (const WorldEvent& change : changesBetween(impl_->scene, scene)) impl_->apply(change, {});
+}
+void Simulation::apply(const Event& event, std::span<const Method> methods) { impl_->apply(event.action, methods); }
+void Simulation::replay(const EventLog& log, std::span<const Method> methods) {
+  refuseUnfitLog(log, impl_->run.log);
+  impl_->run.replay = Replay(log.events, methods);
+}
+void Simulation::followLedger(bool on) { impl_->trackDissipation(on); }
+void Simulation::keepGoing(bool yes) { impl_->settings.keepGoing = yes; }
 
-double Simulation::time() const { return body_->run.time; }
-std::int64_t Simulation::ticks() const { return body_->run.ticks; }
-double Simulation::dt() const { return body_->run.dt; }
-double Simulation::largestStep() const { return body_->run.largestStep; }
-std::int64_t Simulation::steps() const { return body_->run.steps; }
-std::int64_t Simulation::forceEvaluations() const { return body_->moving->evaluations(); }
-int Simulation::threads() const { return body_->workers.threads(); }
-const Scene& Simulation::scene() const { return body_->scene; }
-const Scene& Simulation::startScene() const { return body_->started; }
-const Sheet& Simulation::sheet() const { return body_->sheet; }
-const Method& Simulation::method() const { return *body_->run.method; }
-const PushLog& Simulation::log() const { return body_->run.log; }
-Vec3 Simulation::position(int particle) const { return body_->moving->position(particle); }
-Vec3 Simulation::velocity(int particle) const { return body_->moving->velocity(particle); }
-void Simulation::copyPositions(std::span<float> xyz) const { body_->moving->copyPositions(xyz); }
-std::uint64_t Simulation::hash() const { return body_->moving->hash(); }
-Status Simulation::status() const { return body_->run.status; }
-double Simulation::liveStableStep() { return body_->moving->liveStableStep(method()); }
-double Simulation::alarmTime() const { return body_->run.alarmTime; }
+double Simulation::time() const { return impl_->run.clock.time(); }
+std::int64_t Simulation::ticks() const { return impl_->run.clock.ticks(); }
+double Simulation::dt() const { return impl_->run.clock.dt(); }
+double Simulation::largestStep() const { return impl_->run.largestStep; }
+std::int64_t Simulation::steps() const { return impl_->run.steps; }
+std::int64_t Simulation::forceEvaluations() const { return impl_->backend->evaluations(); }
+int Simulation::threads() const { return impl_->workers.threads(); }
+const Scene& Simulation::scene() const { return impl_->scene; }
+const Scene& Simulation::startScene() const { return impl_->startScene; }
+const Sheet& Simulation::sheet() const { return impl_->sheet; }
+const Method& Simulation::method() const { return *impl_->run.method; }
+const EventLog& Simulation::log() const { return impl_->run.log; }
+Vec3 Simulation::position(int particle) const { return impl_->backend->position(particle); }
+Vec3 Simulation::velocity(int particle) const { return impl_->backend->velocity(particle); }
+void Simulation::copyPositions(std::span<float> xyz) const { impl_->backend->copyPositions(xyz); }
+std::uint64_t Simulation::hash() const { return impl_->backend->hash(); }
+Ledger Simulation::ledger() { return impl_->run.energies.ledger(impl_->sample()); }
+double Simulation::liveStableStep() { return impl_->backend->liveStableStep(method()); }
+Status Simulation::check() {
+  impl_->run.energies.check(impl_->sample());
+  return status();
+}
+Status Simulation::status() const { return impl_->run.energies.status(); }
+double Simulation::alarmTime() const { return impl_->run.energies.alarmTime(); }
 
 Snapshot Simulation::save() const {
-  auto saved = std::make_shared<const Body::Saved>(body_->save());
+  auto saved = std::make_shared<const Impl::Checkpoint>(impl_->checkpoint());
   Snapshot snapshot;
   snapshot.time_ = time();
   snapshot.ticks_ = ticks();
   const Run& run = saved->run;
-  snapshot.bytes_ = saved->moment->bytes() + run.log.sceneText.size() + run.pushes.bytes() +
-                    (run.log.events.size() + run.script.size()) * sizeof(LogEvent);
-  snapshot.body_ = std::move(saved);
+  snapshot.bytes_ =
+      saved->moved->bytes() + run.log.sceneText.size() + run.pushes.bytes() + run.log.events.size() * sizeof(Event);
+  snapshot.checkpoint_ = std::move(saved);
   return snapshot;
 }
-
 void Simulation::restore(const Snapshot& snapshot) {
-  body_->restore(*static_cast<const Body::Saved*>(snapshot.body_.get()));
+  impl_->goBackTo(*static_cast<const Impl::Checkpoint*>(snapshot.checkpoint_.get()));
 }
 
-std::string hashText(const Simulation& simulation) {
-  return formatted("%016llx", static_cast<unsigned long long>(simulation.hash()));
-}
+std::string hashText(const Simulation& simulation) { return fmt::format("{:016x}", simulation.hash()); }
 
 }  // namespace tyg

@@ -1,6 +1,7 @@
-// Choosing an off-screen context and reading it back; see offscreen.h.
+// Tries the kinds of context in the order of preference, and turns what was drawn into a picture, top row first.
 #include "gfx/contexts/offscreen.h"
 
+#include <fmt/core.h>
 #include <glad/gl.h>
 
 #include <algorithm>
@@ -54,8 +55,8 @@ void readFramebuffer(int width, int height, Picture& picture) {
 
 std::unique_ptr<Offscreen> makeOffscreen(OffscreenKind kind, int width, int height) {
   if (width < 1 || height < 1 || width > kLargest || height > kLargest) {
-    throw std::runtime_error("a picture can be 1 to " + std::to_string(kLargest) + " pixels wide and high; asked for " +
-                             std::to_string(width) + "x" + std::to_string(height));
+    throw std::runtime_error(
+        fmt::format("a picture can be 1 to {} pixels wide and high; asked for {}x{}", kLargest, width, height));
   }
 #ifdef TYG_HAVE_OSMESA
   if (kind == OffscreenKind::OsMesa) {
@@ -65,7 +66,7 @@ std::unique_ptr<Offscreen> makeOffscreen(OffscreenKind kind, int width, int heig
   if (kind == OffscreenKind::Egl) {
     return makeEglOffscreen(width, height);
   }
-  throw std::runtime_error("this program was built without " + std::string(nameOf(kind)));
+  throw std::runtime_error(fmt::format("this program was built without {}", nameOf(kind)));
 }
 
 std::unique_ptr<Offscreen> makeOffscreen(int width, int height) {
@@ -74,7 +75,7 @@ std::unique_ptr<Offscreen> makeOffscreen(int width, int height) {
     try {
       return makeOffscreen(kind, width, height);
     } catch (const std::runtime_error& error) {
-      failures += "\n  " + std::string(nameOf(kind)) + ": " + error.what();
+      failures += fmt::format("\n  {}: {}", nameOf(kind), error.what());
     }
   }
   throw std::runtime_error("cannot draw off-screen on this machine:" + failures);

@@ -2,11 +2,11 @@
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <fmt/core.h>
 #include <glad/gl.h>
 
 #include <array>
 #include <stdexcept>
-#include <string>
 
 #include "gfx/contexts/offscreen_kinds.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 void require(bool worked, const char* step) {
   if (!worked) {
-    throw std::runtime_error(std::string(step) + " failed (EGL error " + std::to_string(eglGetError()) + ")");
+    throw std::runtime_error(fmt::format("{} failed (EGL error {})", step, eglGetError()));
   }
 }
 

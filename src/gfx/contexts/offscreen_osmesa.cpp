@@ -1,7 +1,7 @@
 // Off-screen drawing into plain memory by OSMesa, where its header was found. <GL/osmesa.h> brings its own OpenGL
-// header, which newer Mesa does not let stand beside the loader's, so this file never includes the loader. The library
-// is opened when it is first wanted: linked, its compiler (LLVM) would cost every start of the program tens of
-// milliseconds.
+// header, which cannot be included together with the loader's in newer versions of Mesa, so this file never includes
+// the loader. The library is opened when it is first wanted: linked, its compiler (LLVM) would cost every start of the
+// program tens of milliseconds.
 #ifdef TYG_HAVE_OSMESA
 
 #include <GL/osmesa.h>

@@ -1,10 +1,11 @@
-// Draws a sheet with OpenGL 3.3 core: springs as anti-aliased lines shaded with distance, pins, particles, a push, the
-// ground. Must not know: windows, how the context came about, the simulation (it is given positions).
+// Draws a sheet with OpenGL 3.3 core, pass by pass: surroundings, springs, particles and pins, a push.
+// Must not know: windows, how the context came about, the simulation (it is given positions).
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include <glm/glm.hpp>
 
@@ -13,6 +14,9 @@
 #include "view/draw_options.h"
 
 namespace tyg {
+
+struct Canvas;
+class Pass;
 
 /// All of its OpenGL objects belong to the context that is current when it is made; draw and destroy it in that
 /// context. Expects the OpenGL functions to be loaded (gladLoadGL). Leaves blending and depth testing on, the others as
@@ -28,13 +32,14 @@ class SheetRenderer {
 
   /// Clears the bound framebuffer (unless options.over) and draws one frame. `xyz` holds 3 * sheet.count() numbers
   /// (anything else throws std::invalid_argument), uploaded once. `pixels` is the framebuffer's size; zero draws
-  /// nothing. The depth shading follows camera.watched(). Allocates nothing.
+  /// nothing. The depth shading follows camera.watched(). A push on a particle that the sheet does not have is not
+  /// drawn. Allocates nothing, but for the lines of a family of springs that is drawn for the first time.
   void draw(std::span<const float> xyz, const Camera& camera, glm::ivec2 pixels, const DrawOptions& options,
             const std::optional<ShownPush>& push = std::nullopt);
 
  private:
-  struct Body;
-  std::unique_ptr<Body> body_;
+  std::unique_ptr<const Canvas> canvas_;
+  std::vector<std::unique_ptr<Pass>> passes_;
 };
 
 }  // namespace tyg

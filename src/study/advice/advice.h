@@ -25,9 +25,9 @@ struct Advice {
   int threads = 1;
   bool met = false;              ///< does the promise meet the request? Otherwise it is the nearest that was found
   std::optional<Trial> promise;  ///< by the quick study; none where every run failed
-  double knowable = 0;           ///< m: errors below this the quick study could not tell, and did not look for
+  double knowable = 0;           ///< m: the quick study cannot tell errors below this, and does not search for them
   double achieved = kNone;       ///< E against the reference, m
-  double uncertainty = kNone;    ///< by so much the reference and its second opinion differ, m
+  double uncertainty = kNone;    ///< the distance between the reference and its second opinion, m
   double floor = kNone;          ///< least E that means something, m
   double measured = kNone;       ///< s that the run took by the clock, least of up to three
   bool held = false;             ///< did the proof keep the promise?
@@ -35,7 +35,8 @@ struct Advice {
   double missed = 0;             ///< E of that first choice, m
   double limit = 0;  ///< largest stable step at rest of the chosen method, s; NaN: none, 0: no step is stable
   std::optional<Trial> tenTimesBetter;  ///< the cheapest found within a tenth of the error
-  /// s: where there is none, no run that costs more was made; 0: none was, since a tenth is less than can be known.
+  /// s: where none was found, no run that costs more was made; 0: no run was made, because a tenth of the error is less
+  /// than can be known.
   double tenTimesUpTo = 0;
   bool tenTimesGaveUp = false;  ///< there may be one: the search took too long
   int runs = 0;                 ///< of the quick study

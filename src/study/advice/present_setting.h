@@ -1,5 +1,5 @@
-// Where the setting that a person has chosen stands among the rows of a study, and which of the rows would serve
-// better. Must not know: how rows come about, how anything is drawn.
+// What error and cost to expect of the setting that a person has chosen, read from the rows of a study, and which of
+// the rows are better. Must not know: how rows come about, how anything is drawn.
 #pragma once
 
 #include <string_view>
@@ -18,30 +18,31 @@ struct Setting {
   double limit = WorkRow::kNone;  ///< s, the largest stable dt where one is known; NaN: none is
 };
 
-/// The error and the cost of a setting, read between its method's rows.
-struct SettingPlace {
+/// The error and the cost to expect of a setting, read from its method's rows.
+struct SettingEstimate {
   enum class Kind {
     Unknown,   ///< no row of that method has an error yet
-    Measured,  ///< it is a row
-    Between,   ///< two rows
-    Finer,     ///< than all rows: followed at the method's order, down to the floor
-    Coarser,   ///< than all rows that held, and none failed there: followed likewise
+    Measured,  ///< it is one of the rows
+    Between,   ///< it is between two rows: interpolated on logarithmic scales
+    Finer,     ///< it is finer than all rows: extrapolated by the method's order, down to the floor
+    Coarser,   ///< it is coarser than all rows that held, and none failed there: extrapolated likewise
     Fails,     ///< rows with such a step failed, or the step is past its limit
   };
   Kind kind = Kind::Unknown;
   double error = WorkRow::kNone;    ///< E, m; NaN where it is unknown or fails
   double seconds = WorkRow::kNone;  ///< of the whole run; NaN likewise
 };
-SettingPlace placeOf(const std::vector<WorkRow>& rows, const Setting& setting);
+SettingEstimate estimateOf(const std::vector<WorkRow>& rows, const Setting& setting);
 
 /// The rows that no other row beats in both error and cost, the cheapest first. They point into `rows`.
 std::vector<const WorkRow*> frontierOf(const std::vector<WorkRow>& rows);
 
-/// Rows that would serve better than a place by enough to be worth a change; null where there is none.
+/// Rows that are better than a setting by enough to be worth a change; null where there is none.
 struct BetterRows {
-  const WorkRow* cheaper = nullptr;  ///< no greater error, at least a tenth cheaper: the cheapest
-  const WorkRow* closer = nullptr;   ///< no dearer, at most half the error: the least error
+  const WorkRow* cheaper = nullptr;  ///< of those with no greater error that cost at least a tenth less, the cheapest
+  const WorkRow* closer =
+      nullptr;  ///< of those that cost no more and have at most half the error, the one of least error
 };
-BetterRows betterThan(const std::vector<WorkRow>& rows, const SettingPlace& place);
+BetterRows betterThan(const std::vector<WorkRow>& rows, const SettingEstimate& estimate);
 
 }  // namespace tyg

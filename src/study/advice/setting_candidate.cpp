@@ -1,4 +1,5 @@
-// Guesses by the method's order, and bounds on them.
+// What a run at another step or tolerance will cost and lose is guessed from the runs so far by the method's order,
+// within bounds, because such guesses are rough.
 #include "study/advice/setting_candidate.h"
 
 #include <algorithm>
@@ -14,11 +15,12 @@ namespace tyg {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Of the error asked for, where the next guess aims: guesses are rough.
+/// The next guess aims at this fraction of the error that is asked for, because guesses are rough.
 constexpr double kAim = 0.8;
-// Knobs closer than this fraction are one; a tenth of a tolerance is some hundredths of the cost.
+// Parameters that differ by less than this fraction count as the same; a tenth of a tolerance changes the cost by some
+// hundredths.
 constexpr double kSameStep = 1e-3, kSameTolerance = 0.1;
-constexpr double kFirstTolerance = 5e-3;  // of the loosest: a first run that tells what tighter ones will cost
+constexpr double kFirstTolerance = 5e-3;  // of the loosest one: the first run is to tell what tighter ones will cost
 
 double epsilonOf(Precision precision) {
   return precision == Precision::Float ? double(std::numeric_limits<float>::epsilon())
@@ -35,7 +37,7 @@ SettingCandidate::SettingCandidate(const Scene& scene, const Method& method, Pre
     constexpr double kLoosestOfSize = 0.02;
     const double size = makeSheet(scene).size();
     loosest_ = kLoosestOfSize * size;
-    tightest_ = epsilonOf(precision) * size;  // of less a step's own rounding makes a lie
+    tightest_ = epsilonOf(precision) * size;  // rounding within a single step is larger than anything less
     return;
   }
   double limit = restLatticeLimit(scene, method);
@@ -45,24 +47,25 @@ SettingCandidate::SettingCandidate(const Scene& scene, const Method& method, Pre
   loosest_ = divided(loosest_);
 }
 
-Scene SettingCandidate::at(double knob) const {
+Scene SettingCandidate::at(double parameter) const {
   Scene scene = scene_;
-  (method_->adaptive ? scene.tolerance : scene.dt) = knob;
+  (method_->adaptive ? scene.tolerance : scene.dt) = parameter;
   return scene;
 }
 
-const SettingCandidate::Run* SettingCandidate::known(double knob) const {
-  const auto found =
-      std::ranges::find_if(runs_, [&](const Run& run) { return std::abs(run.knob - knob) < sameKnob() * knob; });
+const SettingCandidate::Run* SettingCandidate::known(double parameter) const {
+  const auto found = std::ranges::find_if(
+      runs_, [&](const Run& run) { return std::abs(run.parameter - parameter) < sameParameter() * parameter; });
   return found == runs_.end() ? nullptr : &*found;
 }
 
-void SettingCandidate::learn(double knob, const Trial& trial) {
-  std::erase_if(runs_, [&](const Run& run) { return std::abs(run.knob - knob) < sameKnob() * knob; });
-  runs_.push_back({knob, trial});
-  std::ranges::sort(runs_, std::greater{}, &Run::knob);
+void SettingCandidate::learn(double parameter, const Trial& trial) {
+  std::erase_if(runs_,
+                [&](const Run& run) { return std::abs(run.parameter - parameter) < sameParameter() * parameter; });
+  runs_.push_back({parameter, trial});
+  std::ranges::sort(runs_, std::greater{}, &Run::parameter);
   // A run that failed early says nothing of what one to the end costs.
-  if (trial.status == Status::Ok) perStep_ = trial.wholeSeconds * knob / scene_.duration;
+  if (trial.status == Status::Ok) perStep_ = trial.wholeSeconds * parameter / scene_.duration;
 }
 
 void SettingCandidate::forgetBelow(double error) {
@@ -87,15 +90,15 @@ double SettingCandidate::costExponent(const TwoRuns& runs) const {
   const double most = 1.0 / method_->order;
   if (runs.before == nullptr) return most / 2;
   const double slope = std::log(runs.last->trial.wholeSeconds / runs.before->trial.wholeSeconds) /
-                       std::log(runs.before->knob / runs.last->knob);
+                       std::log(runs.before->parameter / runs.last->parameter);
   return std::clamp(slope, most / 4, most);
 }
 
-double SettingCandidate::expectedAt(double knob) const {
-  if (!method_->adaptive) return perStep_ * scene_.duration / knob;
+double SettingCandidate::expectedAt(double parameter) const {
+  if (!method_->adaptive) return perStep_ * scene_.duration / parameter;
   const TwoRuns runs = tightestRuns();
   if (runs.last == nullptr) return 0;
-  return runs.last->trial.wholeSeconds * std::pow(runs.last->knob / knob, costExponent(runs));
+  return runs.last->trial.wholeSeconds * std::pow(runs.last->parameter / parameter, costExponent(runs));
 }
 
 double SettingCandidate::payable(double seconds) const {
@@ -104,25 +107,25 @@ double SettingCandidate::payable(double seconds) const {
     const TwoRuns runs = tightestRuns();
     if (runs.last == nullptr) return loosest_;
     const double ratio = runs.last->trial.wholeSeconds / (kSurely * seconds);
-    double knob = std::clamp(runs.last->knob * std::pow(ratio, 1 / costExponent(runs)), tightest_, loosest_);
+    double parameter = std::clamp(runs.last->parameter * std::pow(ratio, 1 / costExponent(runs)), tightest_, loosest_);
     for (const Run& run : runs_) {  // half way, in powers, to what cost too much
-      const bool tooDear = run.trial.cutShort && run.trial.seconds >= seconds && run.knob < runs.last->knob;
-      if (tooDear && knob < run.knob * 2) knob = std::sqrt(run.knob * runs.last->knob);
+      const bool tooDear = run.trial.cutShort && run.trial.seconds >= seconds && run.parameter < runs.last->parameter;
+      if (tooDear && parameter < run.parameter * 2) parameter = std::sqrt(run.parameter * runs.last->parameter);
     }
-    return knob;
+    return parameter;
   }
   const double steps = std::floor(interval_ * seconds / (perStep_ * scene_.duration) + kSameStep);
   return std::min(interval_ / std::max(steps, 1.0), loosest_);
 }
 
-double SettingCandidate::errorAt(double knob) const {
+double SettingCandidate::errorAt(double parameter) const {
   if (gainsNothing()) return kInfinity;
   const Run* tightest = nullptr;
   for (const Run& run : runs_) {
     if (std::isfinite(run.trial.error)) tightest = &run;
   }
   if (tightest == nullptr) return 0;
-  return std::max(leastError(), tightest->trial.error * std::pow(knob / tightest->knob, exponent()));
+  return std::max(leastError(), tightest->trial.error * std::pow(parameter / tightest->parameter, exponent()));
 }
 
 /// m: rounding alone makes more than this of almost every run.
@@ -146,20 +149,20 @@ SettingCandidate::Next SettingCandidate::next(double error) const {
     bad = &run;
   }
   if (good == nullptr && gainsNothing()) return {};
-  const double knob = divided(guess(good, bad, error));
-  const bool between = (good == nullptr || knob > good->knob * (1 + sameKnob())) &&
-                       (bad == nullptr || knob < bad->knob * (1 - sameKnob()));
+  const double parameter = divided(guess(good, bad, error));
+  const bool between = (good == nullptr || parameter > good->parameter * (1 + sameParameter())) &&
+                       (bad == nullptr || parameter < bad->parameter * (1 - sameParameter()));
   if (!between) return {};
-  Next next{knob, expectedAt(knob)};
+  Next next{parameter, expectedAt(parameter)};
   if (good == nullptr && std::isfinite(bad->trial.error)) {
-    next.inTheEnd = expectedAt(std::min(bad->knob, bad->knob * factor(bad->trial, error)));
+    next.inTheEnd = expectedAt(std::min(bad->parameter, bad->parameter * factor(bad->trial, error)));
   }
   return next;
 }
 
-double SettingCandidate::divided(double knob) const {
-  knob = std::clamp(knob, tightest_, loosest_);
-  return method_->adaptive ? knob : interval_ / std::ceil(interval_ / knob - 1e-9);
+double SettingCandidate::divided(double parameter) const {
+  parameter = std::clamp(parameter, tightest_, loosest_);
+  return method_->adaptive ? parameter : interval_ / std::ceil(interval_ / parameter - 1e-9);
 }
 
 bool SettingCandidate::gainsNothing() const {
@@ -167,7 +170,7 @@ bool SettingCandidate::gainsNothing() const {
   if (runs_.size() < 2) return false;
   const Run &last = runs_.back(), &before = runs_[runs_.size() - 2];
   return std::isfinite(last.trial.error) && last.trial.error > kNoGain * before.trial.error &&
-         last.knob < kTighter * before.knob && last.trial.error < kSmallOfSize * makeSheet(scene_).size();
+         last.parameter < kTighter * before.parameter && last.trial.error < kSmallOfSize * makeSheet(scene_).size();
 }
 
 double SettingCandidate::guess(const Run* good, const Run* bad, double error) const {
@@ -175,20 +178,20 @@ double SettingCandidate::guess(const Run* good, const Run* bad, double error) co
   const double apart = method_->adaptive ? 1.25 : 1.08;
   const double tightest = method_->adaptive ? 1e-5 : 1.0 / 16, afterFailure = method_->adaptive ? 0.1 : 0.5;
   if (good == nullptr && bad == nullptr) return loosest_;
-  if (bad == nullptr) return good->knob * std::clamp(factor(good->trial, error), 1.5, kLoosest);
+  if (bad == nullptr) return good->parameter * std::clamp(factor(good->trial, error), 1.5, kLoosest);
   const double wanted =
-      bad->knob *
+      bad->parameter *
       (std::isfinite(bad->trial.error) ? std::clamp(factor(bad->trial, error), tightest, 0.9) : afterFailure);
   if (good == nullptr) return wanted;
-  if (bad->knob < apart * apart * good->knob) return good->knob;  // close enough
-  return std::clamp(wanted, apart * good->knob, bad->knob / apart);
+  if (bad->parameter < apart * apart * good->parameter) return good->parameter;  // close enough
+  return std::clamp(wanted, apart * good->parameter, bad->parameter / apart);
 }
 
 double SettingCandidate::factor(const Trial& trial, double error) const {
   return std::pow(kAim * error / trial.error, 1 / exponent());
 }
 
-double SettingCandidate::sameKnob() const { return method_->adaptive ? kSameTolerance : kSameStep; }
+double SettingCandidate::sameParameter() const { return method_->adaptive ? kSameTolerance : kSameStep; }
 
 double SettingCandidate::exponent() const { return method_->adaptive ? 1 : method_->order; }
 

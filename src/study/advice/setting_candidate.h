@@ -1,5 +1,5 @@
-// One method in one precision: its knob (a step or a tolerance), what its runs have shown so far, and which run is
-// worth making next. Must not know: other candidates, how runs are made, clocks.
+// One method in one precision: its parameter, which is a step or a tolerance, what its runs have shown so far, and
+// which run is worth making next. Must not know: other candidates, how runs are made, clocks.
 #pragma once
 
 #include <cstdint>
@@ -27,34 +27,34 @@ class SettingCandidate {
   SettingCandidate(const Scene& scene, const Method& method, Precision precision, double interval);
 
   struct Run {
-    double knob;  ///< step in s, or tolerance in m
+    double parameter;  ///< step in s, or tolerance in m
     Trial trial;
   };
 
   [[nodiscard]] const Method& method() const { return *method_; }
-  [[nodiscard]] Scene at(double knob) const;
+  [[nodiscard]] Scene at(double parameter) const;
   [[nodiscard]] double loosest() const { return loosest_; }
-  [[nodiscard]] const std::vector<Run>& runs() const { return runs_; }  ///< the loosest knob first
-  [[nodiscard]] const Run* known(double knob) const;                    ///< null where it was not run
+  [[nodiscard]] const std::vector<Run>& runs() const { return runs_; }  ///< the loosest parameter first
+  [[nodiscard]] const Run* known(double parameter) const;               ///< null where it was not run
 
   /// What a step costs (s), before any run tells. Adaptive methods tell by their runs alone.
   void priceStep(double seconds) { perStep_ = seconds; }
-  /// Takes a run into account, in place of an earlier one at the same knob.
-  void learn(double knob, const Trial& trial);
-  /// Forgets the errors of runs below `error` m, but not what they cost.
+  /// Takes a run into account, in place of an earlier one at the same parameter.
+  void learn(double parameter, const Trial& trial);
+  /// Forgets the runs whose error is below `error` m, but not what a step costs.
   void forgetBelow(double error);
 
   /// s that a run costs, about; 0 where nothing is known.
-  [[nodiscard]] double expectedAt(double knob) const;
-  /// The tightest knob that `seconds` can pay for, but never looser than the loosest.
+  [[nodiscard]] double expectedAt(double parameter) const;
+  /// The tightest parameter that `seconds` can pay for, but never looser than the loosest.
   [[nodiscard]] double payable(double seconds) const;
   /// E (m) of a run, extrapolated from the tightest known; 0 where nothing is known, infinite where rounding, not the
   /// method, is what is left.
-  [[nodiscard]] double errorAt(double knob) const;
+  [[nodiscard]] double errorAt(double parameter) const;
 
-  /// Where to look next for the loosest knob within `error` (m).
+  /// The run to make next in order to find the loosest parameter whose error is within `error` (m).
   struct Next {
-    double knob = 0;                                           ///< 0: nowhere, what can be known is known
+    double parameter = 0;                                      ///< 0: none, another run would tell nothing new
     double seconds = std::numeric_limits<double>::infinity();  ///< that it will cost, about
     /// s that a run within the error will cost in the end, extrapolated from what is known; 0 where nothing is.
     double inTheEnd = 0;
@@ -62,9 +62,9 @@ class SettingCandidate {
   [[nodiscard]] Next next(double error) const;
 
  private:
-  [[nodiscard]] double divided(double knob) const;
+  [[nodiscard]] double divided(double parameter) const;
   [[nodiscard]] double leastError() const;
-  [[nodiscard]] double sameKnob() const;
+  [[nodiscard]] double sameParameter() const;
   struct TwoRuns {
     const Run *last = nullptr, *before = nullptr;
   };
@@ -73,13 +73,13 @@ class SettingCandidate {
   [[nodiscard]] bool gainsNothing() const;
   [[nodiscard]] double guess(const Run* good, const Run* bad, double error) const;
   [[nodiscard]] double factor(const Trial& trial, double error) const;
-  /// How E follows the knob: E ~ knob^exponent.
+  /// How E follows the parameter: E ~ parameter^exponent.
   [[nodiscard]] double exponent() const;
 
   const Method* method_;
   Scene scene_;
   double interval_;
-  double loosest_ = 0, tightest_ = 0;  // knobs
+  double loosest_ = 0, tightest_ = 0;  // parameters
   double perStep_ = 0;                 // s; unused by adaptive methods
   std::vector<Run> runs_;
 };

@@ -18,11 +18,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kWorthwhile = 0.93;
 /// Costs this close are the same: of such settings the most exact one is taken.
 constexpr double kSameCost = 1.1;
-/// What is expected to cost so many times too much in the end is not followed up: the guess may be that wrong.
+/// What is expected to cost so many times too much in the end is given up; below that the guess may be wrong.
 constexpr double kHopeless = 4;
-/// What is expected to be so many times less exact than the best is not tried: the guess may be that wrong.
+/// What is expected to be so many times less exact than the best is not tried; below that the guess may be wrong.
 constexpr double kDoubt = 20;
-/// What is likely to be found may cost so many times more than what is not, and is tried before it.
+/// What is likely to be within the error comes first, as if it cost this fraction of its price.
 constexpr double kLikely = 0.1;
 constexpr int kMostTries = 14;  // of one method in one precision and one search
 
@@ -61,7 +61,7 @@ void SettingSearch::gatherCandidates() {
       candidate.priceStep(unit * std::max(method->evaluationsPerStep, 1));
       const double seconds = candidate.expectedAt(candidate.loosest());
       if (cheapest == 0 || seconds < cheapest) cheapest = seconds;
-      if (plan_.observer && !plan_.observer()) {
+      if (plan_.observer && !plan_.observer(runs_)) {
         stopped_ = true;
         return;
       }
@@ -75,12 +75,12 @@ double SettingSearch::allSeconds() const {
   return std::max(plan_.allSeconds, kDearestRuns * mostSeconds_);
 }
 
-void SettingSearch::tryOut(SettingCandidate& candidate, double knob, double most) {
-  const Scene scene = candidate.at(knob);
+void SettingSearch::tryOut(SettingCandidate& candidate, double parameter, double most) {
+  const Scene scene = candidate.at(parameter);
   const Method& method = candidate.method();
   const double unit = plan_.cost(scene, plan_.threads);
   const auto observer = [&](double) {
-    stopped_ = stopped_ || (plan_.observer && !plan_.observer());
+    stopped_ = stopped_ || (plan_.observer && !plan_.observer(runs_));
     return !stopped_;
   };
   constexpr double kSlack = 1.05;  // evaluations at starts and jumps of the force are not part of the guess
@@ -100,7 +100,7 @@ void SettingSearch::tryOut(SettingCandidate& candidate, double knob, double most
   }
   ++runs_;
   spent_ += trial.seconds;
-  if (!stopped_) candidate.learn(knob, trial);
+  if (!stopped_) candidate.learn(parameter, trial);
 }
 
 /// s that a run within the error will cost in the end; of a method that has not run in this precision what the other
@@ -125,10 +125,10 @@ std::optional<Trial> SettingSearch::cheapestWithin(double error, double seconds)
     const double least = leastSeconds(error), most = std::min({seconds, mostSeconds_, kSameCost * least});
     const auto worth = [&](std::size_t k) {
       const bool fresh = candidates_[k].runs().empty(), likely = next[k].inTheEnd > 0 && next[k].inTheEnd <= most;
-      const bool closed = next[k].knob == 0 || tries[k] >= kMostTries || next[k].seconds > most;
+      const bool closed = next[k].parameter == 0 || tries[k] >= kMostTries || next[k].seconds > most;
       const bool refined = !fresh && next[k].seconds > kWorthwhile * least;
       if (closed || refined || endOf(k, next) > kHopeless * most) return kInfinity;
-      // What is likely to be within comes first: it tells what is too dear.
+      // What is likely to be within comes first: it tells what costs too much.
       return likely && std::isinf(least) ? kLikely * next[k].seconds : next[k].seconds;
     };
     const std::size_t k = leastOf(candidates_, worth, expected);
@@ -137,7 +137,7 @@ std::optional<Trial> SettingSearch::cheapestWithin(double error, double seconds)
       gaveUp_ = true;
       break;
     }
-    tryOut(candidates_[k], next[k].knob, most);
+    tryOut(candidates_[k], next[k].parameter, most);
     next[k] = candidates_[k].next(error);
     ++tries[k];
   }
@@ -155,9 +155,10 @@ std::optional<Trial> SettingSearch::mostExactWithin(double seconds, double floor
     const std::optional<Trial> best = bestFor(seconds);
     const auto promised = [&](std::size_t k) {
       const SettingCandidate& candidate = candidates_[k];
-      const double knob = candidate.payable(most);
-      const bool open = tries[k] < kMostTries && candidate.known(knob) == nullptr && candidate.expectedAt(knob) <= most;
-      return open ? candidate.errorAt(knob) : kInfinity;
+      const double parameter = candidate.payable(most);
+      const bool open =
+          tries[k] < kMostTries && candidate.known(parameter) == nullptr && candidate.expectedAt(parameter) <= most;
+      return open ? candidate.errorAt(parameter) : kInfinity;
     };
     const std::size_t k = leastOf(candidates_, promised, expected);
     if (!std::isfinite(expected) || (best && expected > kDoubt * best->error)) break;
@@ -189,7 +190,7 @@ std::optional<Trial> SettingSearch::bestWithin(double error, double seconds) con
 std::optional<Trial> SettingSearch::bestFor(double seconds) const {
   std::optional<Trial> best;
   for (const SettingCandidate& candidate : candidates_) {
-    for (const auto& [knob, trial] : candidate.runs()) {
+    for (const auto& [parameter, trial] : candidate.runs()) {
       const bool counts = trial.seconds <= seconds && std::isfinite(trial.error);
       if (counts && (!best || trial.error < best->error)) best = trial;
     }
@@ -202,7 +203,7 @@ std::optional<Trial> SettingSearch::leastError() const { return bestFor(kInfinit
 std::optional<Trial> SettingSearch::cheapest() const {
   std::optional<Trial> cheapest;
   for (const SettingCandidate& candidate : candidates_) {
-    for (const auto& [knob, trial] : candidate.runs()) {
+    for (const auto& [parameter, trial] : candidate.runs()) {
       if (std::isfinite(trial.error) && (!cheapest || trial.seconds < cheapest->seconds)) cheapest = trial;
     }
   }

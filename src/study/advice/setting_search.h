@@ -18,9 +18,9 @@ struct SearchPlan {
   UnitCost cost;
   /// No run that costs more is made: at least real time, and four times what the cheapest run costs.
   double mostSeconds = 1.5;
-  double allSeconds = 4;  ///< of all runs of one search: at least three of the dearest run's
-  /// Called now and then; false stops.
-  std::function<bool()> observer;
+  double allSeconds = 4;  ///< of all runs of one search: at least three times what the most expensive run may cost
+  /// Gets the number of runs made now and then; false stops.
+  std::function<bool(int runs)> observer;
 };
 
 /// Runs are kept: a second search starts from what the first one learnt.
@@ -45,7 +45,6 @@ class SettingSearch {
   [[nodiscard]] std::optional<Trial> leastError() const;
   [[nodiscard]] std::optional<Trial> cheapest() const;
   [[nodiscard]] int runs() const { return runs_; }
-  [[nodiscard]] double spent() const { return spent_; }  ///< s of all runs so far
   /// s: the most that one run may cost.
   [[nodiscard]] double mostSeconds() const { return mostSeconds_; }
   /// Did the last search end because all of its seconds were spent?
@@ -59,8 +58,8 @@ class SettingSearch {
   [[nodiscard]] std::optional<Trial> bestFor(double seconds) const;
   [[nodiscard]] double allSeconds() const;
   [[nodiscard]] double endOf(std::size_t candidate, const std::vector<SettingCandidate::Next>& next) const;
-  /// One run at a knob, which is cut short where it would cost more than `most` s.
-  void tryOut(SettingCandidate& candidate, double knob, double most);
+  /// One run at a parameter, which is cut short where it would cost more than `most` s.
+  void tryOut(SettingCandidate& candidate, double parameter, double most);
 
   const Scene& scene_;
   const SampledMotion* truth_ = nullptr;

@@ -14,8 +14,8 @@ struct GnuplotOutcome {
   std::string message;  ///< what gnuplot said, or why it could not be started
 };
 
-/// Runs `gnuplot -e DEFINITIONS SCRIPT` in `folder` and waits for it; no shell is involved. `script` is a file in that
-/// folder, `definitions` are gnuplot assignments such as png='a.png'.
+/// Runs `gnuplot -e DEFINITIONS SCRIPT` in `folder` and waits for its end, or ends it at Ctrl-C. `script` is a file in
+/// that folder, `definitions` are gnuplot assignments such as png='a.png'.
 GnuplotOutcome runGnuplot(const std::filesystem::path& folder, const std::string& script,
                           const std::vector<std::string>& definitions);
 

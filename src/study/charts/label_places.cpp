@@ -1,4 +1,4 @@
-// Each label in turn takes the best of some places around its point: overlaps cost most, then crossed lines, then
+// Each label in turn takes the best of some positions around its point: overlaps cost most, then crossed lines, then
 // distance.
 #include "study/charts/label_places.h"
 
@@ -31,7 +31,7 @@ std::vector<PixelBox> candidates(const WantedLabel& label) {
   return boxes;
 }
 
-/// From the point to the nearest place of the box; places to the left count as further away, because curves come from
+/// From the point to the nearest point of the box; boxes to the left count as further away, because curves come from
 /// there.
 double distanceCost(const Pixel& at, const PixelBox& box) {
   const double x = std::clamp(at.x, box.left, box.right) - at.x, y = (box.top + box.bottom) / 2 - at.y;
@@ -64,7 +64,7 @@ bool PixelBox::meetsLine(const Pixel& a, const Pixel& b) const {
 std::vector<PixelBox> placeLabels(const std::vector<WantedLabel>& wanted, const std::vector<std::vector<Pixel>>& lines,
                                   const std::vector<PixelBox>& taken, const PixelBox& bounds) {
   std::vector<PixelBox> placed, inTheWay = taken;
-  /// Labels beside each other stand in the order of their points.
+  /// Labels one above the other are to be in the order of their points.
   const auto outOfOrder = [&](const PixelBox& box, const Pixel& at) {
     int count = 0;
     for (std::size_t k = 0; k < placed.size(); ++k) {

@@ -1,4 +1,4 @@
-// Where names can stand at the ends of curves without hiding each other or the curves.
+// Where the names of curves can be written at their ends without hiding each other or the curves.
 // Must not know: what is charted, how it is drawn.
 #pragma once
 
@@ -19,7 +19,7 @@ struct PixelBox {
   [[nodiscard]] bool meetsLine(const Pixel& a, const Pixel& b) const;
 };
 
-/// A name that wants to stand beside a point.
+/// A name that is to be written beside a point.
 struct WantedLabel {
   Pixel at;
   double width = 0, height = 0;

@@ -2,30 +2,11 @@
 // Must not know: files, how gnuplot is run.
 #pragma once
 
-#include <complex>
 #include <string>
-#include <vector>
 
-#include "integrators/chebyshev.h"
 #include "study/limits/stability_study.h"
 
 namespace tyg {
-
-/// The roots mu (1/s) of the scene's modes at rest: all of them for a small sheet, else those of the waves that fit
-/// into the sheet.
-std::vector<std::complex<double>> sceneRoots(const Scene& scene);
-
-/// Where a method is stable in the plane of z = h mu, as far as damping only takes (Re z <= 0).
-struct StabilityRegion {
-  std::vector<std::complex<double>> edge;  ///< from the upper imaginary axis to the lower one; empty: no edge
-  double onRealAxis = 0;                   ///< the largest -z of a damped motion without springs; may be infinite
-  ChebyshevStages stages;                  ///< of a method that chooses them by the step
-};
-/// At a step h (s). Methods of two roots at once (symplectic Euler, leapfrog) are drawn for conjugate pairs.
-StabilityRegion regionOf(const Method& method, const Scene& scene, double h);
-
-/// Is the motion exp(mu t) bounded at steps of h, when its root is a mode of its own?
-bool holdsAt(const Method& method, const StabilityRegion& region, const std::complex<double>& mu, double h);
 
 /// A gnuplot script that draws `svg` and `png`, the names that are defined when it is run.
 std::string stabilityScript(const StabilityStudy& study);

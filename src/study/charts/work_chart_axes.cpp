@@ -1,4 +1,4 @@
-// Ranges of the axes, from the rows.
+// The axes are as long as the rows need, with some space around them.
 #include "study/charts/work_chart_axes.h"
 
 #include <algorithm>
@@ -51,8 +51,8 @@ LogAxis driftAxis(const WorkChart& chart) {
 
 }  // namespace
 
-double LogAxis::place(double value) const { return std::log(value / low) / std::log(high / low); }
-double LogAxis::at(double place) const { return low * std::pow(high / low, place); }
+double LogAxis::fractionAt(double value) const { return std::log(value / low) / std::log(high / low); }
+double LogAxis::at(double fraction) const { return low * std::pow(high / low, fraction); }
 
 double ChartPanel::workOf(const WorkRow& row, double duration) const {
   // Adaptive methods stay below their largest step: a failed run of theirs is shown a little left of where it belongs.
@@ -65,7 +65,7 @@ double ChartPanel::heightOf(const WorkRow& row, double size) const {
 }
 
 Pixel ChartPanel::pixel(double across, double height) const {
-  return {left + x.place(across) * (right - left), bottom - y.place(height) * (bottom - top)};
+  return {left + x.fractionAt(across) * (right - left), bottom - y.fractionAt(height) * (bottom - top)};
 }
 
 bool ChartPanel::holds(double across, double height) const {

@@ -20,10 +20,10 @@ struct ChartCanvas {
 
 struct LogAxis {
   double low = 1e-3, high = 1;
-  /// Where a value stands between the ends: 0 at low, 1 at high.
-  [[nodiscard]] double place(double value) const;
-  /// The value at such a place.
-  [[nodiscard]] double at(double place) const;
+  /// How far a value is from low to high, on the logarithmic scale: 0 at low, 1 at high.
+  [[nodiscard]] double fractionAt(double value) const;
+  /// The value at such a fraction.
+  [[nodiscard]] double at(double fraction) const;
 };
 
 /// One of the panels: its edges in pixels, what its axes show.
@@ -54,7 +54,7 @@ std::vector<ChartPanel> chartPanels(const WorkChart& chart);
 /// The charted names in the order of the rows, each once.
 std::vector<std::string> chartedMethods(const WorkChart& chart);
 
-/// The way of a method's curve through a panel.
+/// The points of a method's curve in a panel.
 std::vector<Pixel> curveOf(const WorkChart& chart, const ChartPanel& panel, const std::string& method,
                            Precision precision);
 

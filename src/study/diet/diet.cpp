@@ -1,4 +1,5 @@
-// One change at a time, then greedily together.
+// First every change alone, then greedily together: those that are within the tolerance alone, the one that saves most
+// first, each on top of those that were kept before it.
 #include "study/diet/diet.h"
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "study/motion/progress.h"
 #include "study/motion/resampled.h"
 #include "tyg/methods.h"
 
@@ -13,104 +15,16 @@ namespace tyg {
 namespace {
 
 constexpr double kAloneShare = 0.6;  // of the whole work, about as measured
-/// Costs closer than this are not told apart: no verdict shall hang on a machine's noise.
+/// Costs that differ by less than this fraction count as the same: the machine's noise must not decide.
 constexpr double kSameCost = 0.1;
-
-class DietMaker {
- public:
-  DietMaker(const Scene& scene, const Reference& reference, const DietPlan& plan)
-      : scene_(scene), reference_(reference), plan_(plan) {
-    plan_.observer = [this, &plan](double) {
-      if (plan.observer && !plan.observer(fraction_)) diet_.stopped = true;
-      return !diet_.stopped;
-    };
-    diet_.within = plan.within;
-    diet_.judgedUpTo = reference.horizonOf(plan.within, Precision::Double);
-  }
-
-  Diet make() {
-    diet_.written = row({DietRow{}.words, scene_});
-    diet_.written.saved = 0;
-    const std::vector<Change> changes = allChanges();
-    for (std::size_t k = 0; k < changes.size() && !diet_.stopped; ++k) {
-      fraction_ = kAloneShare * static_cast<double>(k) / static_cast<double>(changes.size());
-      if (std::optional<DietRow> best = bestOf(changes[k], diet_.written)) {
-        alone_.emplace_back(changes[k], *best);
-        diet_.alone.push_back(std::move(*best));
-      }
-    }
-    if (!diet_.stopped && diet_.written.within) keepTogether();
-    return std::move(diet_);
-  }
-
- private:
-  DietRow row(const Changed& changed) {
-    DietRow row = dietRow(changed, reference_, diet_.judgedUpTo, plan_);
-    row.saved = 1 - row.seconds / diet_.written.seconds;
-    return row;
-  }
-
-  /// The row of a change on top of `base`: of several ways the cheapest within the tolerance, or where there is none
-  /// the one that loses least. Nothing where the change does not apply.
-  std::optional<DietRow> bestOf(const Change& change, const DietRow& base) {
-    std::optional<DietRow> best;
-    for (const Changed& changed : changesOf(base.scene, change)) {
-      if (change.kind == Change::Method && leastSeconds(changed.scene) > base.seconds) continue;
-      const DietRow next = row(changed);
-      if (diet_.stopped) return std::nullopt;
-      if (change.kind == Change::Method && !(next.seconds < (1 - kSameCost) * base.seconds)) continue;
-      if (!best || better(next, *best)) best = next;
-      if (change.kind == Change::Step && !next.within) break;
-    }
-    return best;
-  }
-
-  /// What a run takes at least, known before it: dear methods need not be run to be left out.
-  [[nodiscard]] double leastSeconds(const Scene& scene) const {
-    const int perStep = std::max(findMethod(scene.integrator).evaluationsPerStep, 1);
-    return scene.duration / scene.dt * perStep * plan_.cost(scene, plan_.threads);
-  }
-
-  static bool better(const DietRow& a, const DietRow& b) {
-    if (a.within != b.within) return a.within;
-    const bool sameCost = std::abs(a.seconds - b.seconds) < kSameCost * std::min(a.seconds, b.seconds);
-    if (a.within && !sameCost) return a.seconds < b.seconds;
-    return a.lost.rms < b.lost.rms || (std::isnan(b.lost.rms) && !std::isnan(a.lost.rms));
-  }
-
-  void keepTogether() {
-    std::ranges::stable_sort(alone_, [](const auto& a, const auto& b) { return a.second.saved > b.second.saved; });
-    std::vector<Change> open;
-    for (const auto& [change, row] : alone_) {
-      if (row.within) open.push_back(change);
-    }
-    const double all = static_cast<double>(open.size()) + 1;
-    while (!open.empty() && !diet_.stopped) {
-      fraction_ = std::max(fraction_, 1 - (1 - kAloneShare) * static_cast<double>(open.size()) / all);
-      const Change change = open.front();
-      open.erase(open.begin());
-      const std::optional<DietRow> next = bestOf(change, diet_.leanest());
-      if (!next || !next->within || next->seconds > (1 + kSameCost) * diet_.leanest().seconds) continue;
-      diet_.together.push_back(*next);
-      if (repeats(change)) open.push_back(change);
-    }
-  }
-
-  const Scene& scene_;
-  const Reference& reference_;
-  DietPlan plan_;
-  Diet diet_;
-  std::vector<std::pair<Change, DietRow>> alone_;
-  double fraction_ = 0;
-};
 
 double sagOf(const std::vector<Vec3>& positions) {
   const auto [lowest, highest] = std::ranges::minmax(positions, {}, &Vec3::y);
   return highest.y - lowest.y;
 }
 
-}  // namespace
-
+/// Runs one scene and measures it as a row against the full model's reference; `judgedUpTo` as in Diet. A sheet of
+/// another grid is compared at the positions of the reference's particles.
 DietRow dietRow(const Changed& changed, const Reference& reference, double judgedUpTo, const DietPlan& plan) {
   DietRow row;
   row.words = changed.words;
@@ -142,8 +56,107 @@ DietRow dietRow(const Changed& changed, const Reference& reference, double judge
   return row;
 }
 
+/// What every row of one diet is measured with.
+struct Measures {
+  const Reference& reference;
+  DietPlan plan;              // its observer tells `progress`
+  double judgedUpTo = 0;      // s, as Diet::judgedUpTo
+  double writtenSeconds = 0;  // of the scene as written
+  Progress& progress;
+};
+
+DietRow rowOf(const Changed& changed, const Measures& measures) {
+  DietRow row = dietRow(changed, measures.reference, measures.judgedUpTo, measures.plan);
+  row.saved = 1 - row.seconds / measures.writtenSeconds;
+  return row;
+}
+
+/// What a run takes at least, known before it is made: methods that cost too much need not be run to be left out.
+double leastSeconds(const Scene& scene, const DietPlan& plan) {
+  const int perStep = std::max(findMethod(scene.integrator).evaluationsPerStep, 1);
+  return scene.duration / scene.dt * perStep * plan.cost(scene, plan.threads);
+}
+
+bool better(const DietRow& a, const DietRow& b) {
+  if (a.within != b.within) return a.within;
+  const bool sameCost = std::abs(a.seconds - b.seconds) < kSameCost * std::min(a.seconds, b.seconds);
+  if (a.within && !sameCost) return a.seconds < b.seconds;
+  return a.lost.rms < b.lost.rms || (std::isnan(b.lost.rms) && !std::isnan(a.lost.rms));
+}
+
+/// The row of a change on top of `base`: of several ways the cheapest within the tolerance, or where there is none
+/// the one that loses least. Nothing where the change does not apply.
+std::optional<DietRow> bestOf(const Change& change, const DietRow& base, const Measures& measures) {
+  std::optional<DietRow> best;
+  for (const Changed& changed : changesOf(base.scene, change)) {
+    if (change.kind == Change::Method && leastSeconds(changed.scene, measures.plan) > base.seconds) continue;
+    const DietRow next = rowOf(changed, measures);
+    if (measures.progress.stopped()) return std::nullopt;
+    if (change.kind == Change::Method && !(next.seconds < (1 - kSameCost) * base.seconds)) continue;
+    if (!best || better(next, *best)) best = next;
+    if (change.kind == Change::Step && !next.within) break;
+  }
+  return best;
+}
+
+using ChangeRow = std::pair<Change, DietRow>;
+
+/// Every change that applies, alone.
+std::vector<ChangeRow> aloneOn(const DietRow& written, const Measures& measures) {
+  std::vector<ChangeRow> alone;
+  const std::vector<Change> changes = allChanges();
+  for (std::size_t k = 0; k < changes.size() && !measures.progress.stopped(); ++k) {
+    measures.progress.advanceTo(kAloneShare * static_cast<double>(k) / static_cast<double>(changes.size()));
+    if (std::optional<DietRow> best = bestOf(changes[k], written, measures)) {
+      alone.emplace_back(changes[k], std::move(*best));
+    }
+  }
+  return alone;
+}
+
+/// The changes that are within the tolerance alone, the one that saves most first.
+std::vector<Change> worthKeeping(std::vector<ChangeRow> alone) {
+  std::ranges::stable_sort(alone, [](const auto& a, const auto& b) { return a.second.saved > b.second.saved; });
+  std::vector<Change> changes;
+  for (const auto& [change, row] : alone) {
+    if (row.within) changes.push_back(change);
+  }
+  return changes;
+}
+
+/// Makes one change after the other, and keeps those with which the scene still is within the tolerance.
+std::vector<DietRow> togetherOn(const DietRow& written, std::vector<Change> open, const Measures& measures) {
+  std::vector<DietRow> together;
+  const double all = static_cast<double>(open.size()) + 1;
+  while (!open.empty() && !measures.progress.stopped()) {
+    measures.progress.advanceTo(1 - (1 - kAloneShare) * static_cast<double>(open.size()) / all);
+    const Change change = open.front();
+    open.erase(open.begin());
+    const DietRow& base = together.empty() ? written : together.back();
+    std::optional<DietRow> next = bestOf(change, base, measures);
+    if (!next || !next->within || next->seconds > (1 + kSameCost) * base.seconds) continue;
+    together.push_back(std::move(*next));
+    if (repeats(change)) open.push_back(change);
+  }
+  return together;
+}
+
+}  // namespace
+
 Diet dietOf(const Scene& scene, const Reference& reference, const DietPlan& plan) {
-  return DietMaker(scene, reference, plan).make();
+  Progress progress(plan.observer);
+  Diet diet;
+  diet.within = plan.within;
+  diet.judgedUpTo = reference.horizonOf(plan.within, Precision::Double);
+  Measures measures{.reference = reference, .plan = plan, .judgedUpTo = diet.judgedUpTo, .progress = progress};
+  measures.plan.observer = [&](double) { return progress.goesOn(); };
+  diet.written = dietRow({DietRow{}.words, scene}, reference, diet.judgedUpTo, measures.plan);
+  measures.writtenSeconds = diet.written.seconds;
+  const std::vector<ChangeRow> alone = aloneOn(diet.written, measures);
+  for (const auto& [change, row] : alone) diet.alone.push_back(row);
+  if (diet.written.within) diet.together = togetherOn(diet.written, worthKeeping(alone), measures);
+  diet.stopped = progress.stopped();
+  return diet;
 }
 
 }  // namespace tyg

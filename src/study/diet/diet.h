@@ -1,5 +1,5 @@
-// The model diet: what each part of a scene costs, and what is lost without it; then the leanest scene within a
-// tolerance. Must not know: files, words of reports, clocks (costs are given).
+// The model diet: what each part of a scene costs, and what is lost without it; then the most reduced scene that stays
+// within a tolerance. Must not know: files, words of reports, clocks (costs are given).
 #pragma once
 
 #include <limits>
@@ -38,14 +38,16 @@ struct DietRow {
 };
 
 struct Diet {
-  double within = 0;              ///< the tolerance, m
-  double judgedUpTo = 0;          ///< s: the last time at which such an error means something; E is taken up to here
-  DietRow written;                ///< the scene as it is
-  std::vector<DietRow> alone;     ///< one change at a time
-  std::vector<DietRow> together;  ///< changes kept one after the other, each on top of those before; the last is lean
+  double within = 0;           ///< the tolerance, m
+  double judgedUpTo = 0;       ///< s: the last time at which such an error means something; E is taken up to here
+  DietRow written;             ///< the scene as it is
+  std::vector<DietRow> alone;  ///< one change at a time
+  std::vector<DietRow>
+      together;  ///< the changes that were kept, each on top of those before; the last row has them all
   bool stopped = false;
 
-  [[nodiscard]] const DietRow& leanest() const { return together.empty() ? written : together.back(); }
+  /// The scene with all changes that were kept.
+  [[nodiscard]] const DietRow& reduced() const { return together.empty() ? written : together.back(); }
 };
 
 struct DietPlan {
@@ -59,9 +61,5 @@ struct DietPlan {
 /// Puts a scene on the diet. `reference` is of that scene and usable. Changes that keep E within the tolerance are
 /// kept together greedily: the largest saving first, halved sheets, longer steps and cheaper methods again and again.
 Diet dietOf(const Scene& scene, const Reference& reference, const DietPlan& plan);
-
-/// Runs one scene and measures it as a row against the full model's reference; `judgedUpTo` as in Diet. A sheet of
-/// another grid is compared at the places of the reference's particles.
-DietRow dietRow(const Changed& changed, const Reference& reference, double judgedUpTo, const DietPlan& plan);
 
 }  // namespace tyg

@@ -1,10 +1,10 @@
-// Tries one step after another: outward from where it is told to begin, then by bisection.
+// Every step is tried by a run of its own: first outward from where the limit is expected, until one step has held and
+// one has failed, then by halving what lies between them.
 #include "study/limits/measured_limit.h"
 
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <utility>
 
 #include "tyg/simulation.h"
 #include "util/noise.h"
@@ -16,37 +16,26 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 enum class Outcome { Held, Failed, Unknown };
 
-class Trials {
- public:
-  Trials(Scene scene, const Method& method, const MeasurePlan& plan)
-      : scene_(std::move(scene)), method_(method), plan_(plan) {
-    scene_.tolerance = 0;  // adaptive methods take the step they are given
-  }
-
-  Outcome with(double step) {
-    const double steps = plan_.steps > 0 ? double(plan_.steps) : std::ceil(scene_.duration / step);
-    constexpr int kManyStages = 20;  // of a method that takes as many as it needs
-    const int evaluations = method_.evaluationsPerStep < 0 ? kManyStages : method_.evaluationsPerStep + 1;
-    if (stopped_ || steps * evaluations * scene_.columns * scene_.rows > plan_.mostWork) return Outcome::Unknown;
-    Scene timed = scene_;
-    timed.dt = step;
-    timed.duration = steps * step;
-    Simulation simulation(timed, method_, {.threads = plan_.threads});
-    simulation.observe([&] {
-      stopped_ = stopped_ || (plan_.observer && !plan_.observer());
-      return !stopped_;
-    });
-    simulation.advanceTo(timed.duration);
-    if (stopped_) return Outcome::Unknown;
-    return simulation.status() == Status::Ok ? Outcome::Held : Outcome::Failed;
-  }
-
- private:
-  Scene scene_;
-  const Method& method_;
-  const MeasurePlan& plan_;
-  bool stopped_ = false;
-};
+/// Runs the scene with steps of `step` s. Unknown: it would take too much work, or the observer said stop.
+Outcome tried(double step, const Scene& scene, const Method& method, const MeasurePlan& plan) {
+  const double steps = plan.steps > 0 ? double(plan.steps) : std::ceil(scene.duration / step);
+  constexpr int kManyStages = 20;  // of a method that takes as many as it needs
+  const int evaluations = method.evaluationsPerStep < 0 ? kManyStages : method.evaluationsPerStep + 1;
+  if (steps * evaluations * scene.columns * scene.rows > plan.mostWork) return Outcome::Unknown;
+  Scene timed = scene;
+  timed.tolerance = 0;  // adaptive methods take the step they are given
+  timed.dt = step;
+  timed.duration = steps * step;
+  Simulation simulation(timed, method, {.threads = plan.threads});
+  bool stopped = false;
+  simulation.observe([&] {
+    stopped = stopped || (plan.observer && !plan.observer());
+    return !stopped;
+  });
+  simulation.advanceTo(timed.duration);
+  if (stopped) return Outcome::Unknown;
+  return simulation.status() == Status::Ok ? Outcome::Held : Outcome::Failed;
+}
 
 }  // namespace
 
@@ -66,23 +55,22 @@ Scene linearRegime(Scene scene) {
 }
 
 double measuredLimit(const Scene& scene, const Method& method, const MeasurePlan& plan) {
-  Trials trials(scene, method, plan);
   double held = 0, failed = 0;
-  const auto note = [&](double step, Outcome outcome) { (outcome == Outcome::Held ? held : failed) = step; };
-  Outcome outcome = trials.with(plan.begin);
-  note(plan.begin, outcome);
+  Outcome outcome = Outcome::Unknown;
+  const auto attempt = [&](double step) {
+    outcome = tried(step, scene, method, plan);
+    (outcome == Outcome::Held ? held : failed) = step;
+  };
+  attempt(plan.begin);
   // Outward in growing strides from what is expected, downward or upward.
   for (double factor = 1.02; outcome != Outcome::Unknown && (held == 0 || failed == 0);
        factor = std::min(factor * factor, 2.0)) {
     const double step = held > 0 ? held * factor : failed / factor;
     if (step > 8 * plan.begin) return std::numeric_limits<double>::infinity();
     if (step < 1e-6 * plan.begin) return kUnknown;
-    note(step, outcome = trials.with(step));
+    attempt(step);
   }
-  while (outcome != Outcome::Unknown && failed > (1 + plan.resolution) * held) {
-    const double step = (held + failed) / 2;
-    note(step, outcome = trials.with(step));
-  }
+  while (outcome != Outcome::Unknown && failed > (1 + plan.resolution) * held) attempt((held + failed) / 2);
   return outcome == Outcome::Unknown ? kUnknown : held;
 }
 

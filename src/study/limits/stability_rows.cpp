@@ -1,4 +1,6 @@
 // A study of step limits as CSV and as a table with what has to be said besides.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -6,8 +8,7 @@
 #include "integrators/chebyshev.h"
 #include "study/limits/measured_limit.h"
 #include "study/limits/stability_study.h"
-#include "study/work/work_rows.h"
-#include "util/text.h"
+#include "util/csv.h"
 
 namespace tyg {
 namespace {
@@ -25,26 +26,25 @@ std::string field(double step) {
 std::string cell(double step) {
   if (std::isnan(step)) return "-";
   if (std::isinf(step)) return "all";
-  return step == 0 ? "none" : formatted("%.4g", 1e3 * step);
+  return step == 0 ? "none" : fmt::format("{:.4g}", 1e3 * step);
 }
 
 std::string firstMode(const StabilityStudy& study, const StabilityCase& entry) {
   const StepLimit& limit = entry.limit;
-  std::string look = appearanceOf(study.scene, limit);
-  if (look == "none") return look;
-  return look + (limit.outOfPlane ? " out of plane" : " in plane") +
-         (limit.byDamping ? " by damping" : " by stiffness") + formatted(" q=(%.2f %.2f)", limit.qx, limit.qy);
+  const std::string appearance = appearanceOf(study.scene, limit);
+  if (appearance == "none") return appearance;
+  return fmt::format("{} {} by {} q=({:.2f} {:.2f})", appearance, limit.outOfPlane ? "out of plane" : "in plane",
+                     limit.byDamping ? "damping" : "stiffness", limit.qx, limit.qy);
 }
 
 std::string tableLine(const StabilityStudy& study, const StabilityCase& entry) {
   const StepLimit& limit = entry.limit;
   std::string first = appearanceOf(study.scene, limit);
-  if (first != "none")
-    first += std::string(limit.outOfPlane ? ", out of plane" : "") + (limit.byDamping ? ", damping" : ", stiffness");
-  return formatted("%-16s  %-7s %9s %9s %9s %9s   ", name(entry).c_str(), dampingOf(entry),
-                   cell(limit.predicted).c_str(), cell(limit.certified).c_str(), cell(entry.atRest).c_str(),
-                   cell(entry.inMotion).c_str()) +
-         first + "\n";
+  if (first != "none") {
+    first.append(limit.outOfPlane ? ", out of plane" : "").append(limit.byDamping ? ", damping" : ", stiffness");
+  }
+  return fmt::format("{:<16}  {:<7} {:>9} {:>9} {:>9} {:>9}   {}\n", entry.method->name, dampingOf(entry),
+                     cell(limit.predicted), cell(limit.certified), cell(entry.atRest), cell(entry.inMotion), first);
 }
 
 /// The words in lines of a page.
@@ -64,15 +64,15 @@ std::string wrapped(const std::string& words) {
 std::string explicitNote(const StabilityStudy& study, const StabilityCase& entry) {
   const double w2 = entry.limit.mode.w2, seconds = study.scene.duration;
   constexpr double kGrowth = 1000;
-  std::string note = formatted(
+  std::string note = fmt::format(
       "explicit-euler without damping: no step is stable. Each multiplies the fastest mode by sqrt(1 + h^2 w^2), "
-      "w = %.4g /s, so that over T seconds a growth by G is survived only below h = 2 ln(G) / (w^2 T): %.3g ms for "
-      "G = 1000 in %.3g s.",
+      "w = {:.4g} /s, so that over T seconds a growth by G is survived only below h = 2 ln(G) / (w^2 T): {:.3g} ms for "
+      "G = 1000 in {:.3g} s.",
       std::sqrt(w2), 1e3 * survivedStep(w2, seconds, kGrowth), seconds);
   if (entry.inMotion > 0 && std::isfinite(entry.inMotion)) {
     const double decades = entry.inMotion * w2 * seconds / 2 / std::log(10.0);
-    note += formatted(" The %.3g ms that held had it grow by 10^%.1f, from rounding and buckling.",
-                      1e3 * entry.inMotion, decades);
+    note += fmt::format(" The {:.3g} ms that held had it grow by 10^{:.1f}, from rounding and buckling.",
+                        1e3 * entry.inMotion, decades);
   }
   return note;
 }
@@ -80,9 +80,9 @@ std::string explicitNote(const StabilityStudy& study, const StabilityCase& entry
 /// The same for rkc2, which takes two stages where none hold: |P_2(i y)|^2 = 1 + y^4 / 4.
 std::string stagesNote(const StabilityStudy& study, const StabilityCase& entry) {
   const double w2 = entry.limit.mode.w2, seconds = study.scene.duration;
-  return formatted(
+  return fmt::format(
       "rkc2 without damping: no step is stable, whatever the stages. Two, the fewest, multiply the fastest mode by "
-      "1 + (h w)^4 / 8 each step, w = %.4g /s: a growth by 1000 in %.3g s is survived only below %.3g ms.",
+      "1 + (h w)^4 / 8 each step, w = {:.4g} /s: a growth by 1000 in {:.3g} s is survived only below {:.3g} ms.",
       std::sqrt(w2), seconds, 1e3 * std::cbrt(8 * std::log(1000.0) / (w2 * w2 * seconds)));
 }
 
@@ -101,8 +101,8 @@ std::string noteOn(const StabilityStudy& study, const StabilityCase& entry) {
   }
   if (method == "rkc2" && entry.limit.predicted == 0) return stagesNote(study, entry);
   if (method == "rkc2" && limited) {
-    return formatted(
-        "rkc2 takes as many stages as its step needs to hold every wave, %d at most; past its limit none do.",
+    return fmt::format(
+        "rkc2 takes as many stages as its step needs to hold every wave, {} at most; past its limit none do.",
         kMostChebyshevStages);
   }
   return "";
@@ -134,10 +134,11 @@ std::vector<std::string> notesOn(const StabilityStudy& study) {
 }  // namespace
 
 std::string stabilityCsv(const StabilityStudy& study) {
-  std::string csv = "scene,integrator,damping,predicted_dt,certified_dt,measured_dt,first_mode\n";
+  std::string csv =
+      csvLine("scene", "integrator", "damping", "predicted_dt", "certified_dt", "measured_dt", "first_mode");
   const auto add = [&](const std::string& scene, const StabilityCase& entry, double measured) {
-    csv += csvField(scene) + "," + name(entry) + "," + dampingOf(entry) + "," + field(entry.limit.predicted) + "," +
-           field(entry.limit.certified) + "," + field(measured) + "," + firstMode(study, entry) + "\n";
+    csv += csvLine(scene, entry.method->name, dampingOf(entry), field(entry.limit.predicted),
+                   field(entry.limit.certified), field(measured), firstMode(study, entry));
   };
   for (const StabilityCase& entry : study.cases) {
     add(study.scene.name + " at rest", entry, entry.atRest);
@@ -147,8 +148,8 @@ std::string stabilityCsv(const StabilityStudy& study) {
 }
 
 std::string stabilityTable(const StabilityStudy& study) {
-  std::string table = formatted("Largest stable steps of %s, %d x %d particles, in ms\n\n", study.scene.title.c_str(),
-                                study.scene.columns, study.scene.rows);
+  std::string table = fmt::format("Largest stable steps of {}, {} x {} particles, in ms\n\n", study.scene.title,
+                                  study.scene.columns, study.scene.rows);
   table += "                                                    measured\n";
   table += "method            damping predicted certified   at rest in motion   first to fail, set by\n";
   for (const StabilityCase& entry : study.cases) table += tableLine(study, entry);

@@ -1,4 +1,5 @@
-// See stability_study.h.
+// Every method in turn, with the scene's damping and without: its limit is computed first, and is where the search for
+// the measured one begins.
 #include "study/limits/stability_study.h"
 
 #include <algorithm>

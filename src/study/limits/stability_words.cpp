@@ -1,7 +1,7 @@
-// What people read about a step limit: the look of the motion that fails first, and why some methods have none.
-#include <array>
+// What people read about a step limit: what the motion that fails first looks like, and why some methods have none.
+#include <fmt/core.h>
+
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "study/limits/stability.h"
@@ -35,12 +35,11 @@ std::string appearanceOf(const Scene& scene, const StepLimit& limit) {
 }
 
 std::string describe(const Scene& scene, const StepLimit& limit) {
-  std::string look = appearanceOf(scene, limit);
-  if (look == "none") return look;
-  std::array<char, 100> q{};
-  std::snprintf(q.data(), q.size(), "q = (%.2f, %.2f)", limit.qx, limit.qy);
-  return look + (limit.outOfPlane ? " out of plane, " : " in plane, ") + q.data() +
-         (limit.byDamping ? ", set by damping" : ", set by stiffness");
+  const std::string appearance = appearanceOf(scene, limit);
+  if (appearance == "none") return appearance;
+  return fmt::format("{} {}, q = ({:.2f}, {:.2f}), set by {}", appearance,
+                     limit.outOfPlane ? "out of plane" : "in plane", limit.qx, limit.qy,
+                     limit.byDamping ? "damping" : "stiffness");
 }
 
 std::string whyNoLimit(const Method& method) {

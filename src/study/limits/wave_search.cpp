@@ -1,4 +1,5 @@
-// See wave_search.h.
+// A coarse grid over all waves finds the valleys of the function, and a descent from the deepest of them the lowest
+// point.
 #include "study/limits/wave_search.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 namespace tyg {
 namespace {
 
-/// Walks downhill from `best` in shrinking strides. In `best.value` the error is of second order in the last stride.
+/// Goes downhill from `best` in strides that shrink. The error of the value is of second order in the last stride.
 LowestWave refined(const WaveFunction& function, LowestWave best, double stride) {
   constexpr double kLastStride = 1e-4;
   const auto inside = [](double q) { return std::clamp(q, 0.0, std::numbers::pi); };

@@ -1,4 +1,4 @@
-// Sums over particles, which all have the same mass.
+// Means over all particles are means over the mass, because all particles have the same mass.
 #include "study/motion/bulk.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Distances between motions.
+// The distance of two motions is the largest distance of their particles over all sample times.
 #include "study/motion/error.h"
 
 #include <algorithm>

@@ -1,5 +1,8 @@
-// The reference, its second opinion and its twin.
+// Up to three kinds of runs make a reference: the motion itself, a twin that starts a little beside it, and a second
+// opinion by another method, which is asked again with shorter steps until the two agree.
 #include "study/motion/reference.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +12,8 @@
 
 #include "study/limits/stability.h"
 #include "study/motion/error.h"
+#include "study/motion/progress.h"
 #include "tyg/methods.h"
-#include "util/text.h"
 
 namespace tyg {
 namespace {
@@ -22,102 +25,105 @@ constexpr double kTwinDistance = 1e-9;         // of the size
 /// Shares of the whole work, about as measured.
 constexpr double kMainShare = 0.2, kTwinShare = 0.2, kRungShare = 0.5;
 
-class ReferenceMaker {
- public:
-  ReferenceMaker(Scene scene, int threads, const std::function<bool(double)>& observer, const ReferenceAim& aim)
-      : threads_(threads), patience_(aim.patience), observer_(observer) {
-    const double size = reference_.size = makeSheet(scene).size();
-    scene.precision = Precision::Double;
-    scene.tolerance = std::clamp(aim.tolerance, kReferenceTolerance * size, kLoosestTolerance * size);
-    if (aim.motion != nullptr && scene.tolerance == aim.tolerance) reference_.motion = *aim.motion;
-    agreement_ = std::max(aim.agreement, scene.tolerance / 2);
-    reference_.scene = std::move(scene);
-    times_ = sampleTimes(reference_.scene);
-  }
-
-  Reference make() {
-    if (reference_.motion.times.empty()) {
-      reference_.motion = run(reference_.scene, findMethod("dopri54"), kMainShare);
-    }
-    reference_.bulk = bulkOf(reference_.motion);
-    if (complete(reference_.motion)) measureAmplification();
-    if (complete(reference_.motion)) askSecondOpinion();
-    return std::move(reference_);
-  }
-
- private:
-  [[nodiscard]] bool complete(const SampledMotion& motion) const {
-    return !reference_.stopped && motion.times.size() == times_.size();
-  }
-
-  SampledMotion run(const Scene& scene, const Method& method, double share) {
-    const auto observer = [&](double time) { return observer_(done_ + share * time / scene.duration); };
-    SampledMotion motion = sampledRun(scene, method, times_, {.threads = threads_, .observer = observer});
-    reference_.stopped = reference_.stopped || motion.stopped;
-    done_ += share;
-    return motion;
-  }
-
-  void measureAmplification() {
-    const double distance = kTwinDistance * reference_.size;
-    const SampledMotion twin = run(twinOf(reference_.scene, distance), findMethod("dopri54"), kTwinShare);
-    for (std::size_t k = 0; k < twin.positions.size(); ++k) {
-      const double apart = distanceBetween(twin.positions[k], reference_.motion.positions[k]).rms;
-      reference_.amplification.push_back(apart / distance);
-    }
-    reference_.twinBulk = bulkOf(twin);
-    // A twin that failed is as lost as one can be.
-    reference_.amplification.resize(times_.size(), 1 / kTwinDistance);
-  }
-
-  /// The classical Runge-Kutta method shares neither coefficients nor step control with the reference. Its step shrinks
-  /// until it comes as close as is asked for, or gains no more, or costs too much.
-  void askSecondOpinion() {
-    const Method& method = findMethod("rk4");
-    const double interval = times_.front(), limit = restLatticeLimit(reference_.scene, method);
-    constexpr double kFirstOfLimit = 0.25, kWithoutLimit = 64, kGain = 4;
-    const double most = mostEvaluations() / (method.evaluationsPerStep * static_cast<double>(times_.size()));
-    double count = limit > 0 ? std::ceil(interval / (kFirstOfLimit * limit)) : kWithoutLimit;
-    double apart = disagreementAt(count);
-    while (!reference_.stopped && !(apart <= agreement_) && 2 * count <= most) {
-      const double factor = std::isnan(apart) ? 4 : std::ceil(std::pow(apart / agreement_, 1.0 / method.order));
-      count *= std::clamp(factor, 2.0, std::min(8.0, std::floor(most / count)));
-      const double before = std::exchange(apart, disagreementAt(count));
-      if (apart > before / kGain) break;
-    }
-  }
-
-  /// What the second opinion may cost: some times the reference itself, and small sheets cost next to nothing.
-  [[nodiscard]] double mostEvaluations() const {
-    constexpr double kParticleEvaluations = 2e7;
-    const double particles = double(reference_.scene.columns) * reference_.scene.rows;
-    return std::max(patience_ * double(reference_.motion.forceEvaluations), kParticleEvaluations / particles);
-  }
-
-  /// At the end of the run; NaN where the second method failed.
-  double disagreementAt(double stepsPerSample) {
-    Scene scene = reference_.scene;
-    scene.dt = times_.front() / stepsPerSample;
-    const SampledMotion second = run(scene, findMethod("rk4"), kRungShare * (1 - done_));
-    reference_.secondStep = second.largestStep;
-    reference_.disagreement.clear();
-    if (!complete(second)) return std::numeric_limits<double>::quiet_NaN();
-    double largest = 0;
-    for (std::size_t k = 0; k < times_.size(); ++k) {
-      largest = std::max(largest, distanceBetween(second.positions[k], reference_.motion.positions[k]).rms);
-      reference_.disagreement.push_back(largest);
-    }
-    return largest;
-  }
-
-  int threads_;
-  double patience_;
-  const std::function<bool(double)>& observer_;
-  double agreement_ = 0;  // m
-  Reference reference_;
-  std::vector<double> times_;
-  double done_ = 0;
+/// What all runs for one reference share.
+struct Runs {
+  std::vector<double> times;  // s
+  int threads;
+  Progress progress;
 };
+
+bool complete(const SampledMotion& motion, const Runs& runs) {
+  return !runs.progress.stopped() && motion.times.size() == runs.times.size();
+}
+
+/// A run that is this share of the whole work.
+SampledMotion runOf(const Scene& scene, const Method& method, double share, Runs& runs) {
+  const double done = runs.progress.fraction();
+  const auto observer = [&](double time) { return runs.progress.reach(done + share * time / scene.duration); };
+  SampledMotion motion = sampledRun(scene, method, runs.times, {.threads = runs.threads, .observer = observer});
+  runs.progress.advanceTo(done + share);
+  return motion;
+}
+
+/// The scene in double, with the tolerance that the reference is run with.
+Scene referenceScene(Scene scene, double size, double tolerance) {
+  scene.precision = Precision::Double;
+  scene.tolerance = std::clamp(tolerance, kReferenceTolerance * size, kLoosestTolerance * size);
+  return scene;
+}
+
+/// The motion that starts a little beside the reference's.
+struct Twin {
+  std::vector<double> amplification;  // as Reference::amplification
+  std::vector<Bulk> bulk;
+};
+
+Twin twinBeside(const Reference& reference, Runs& runs) {
+  const double distance = kTwinDistance * reference.size;
+  const SampledMotion motion = runOf(twinOf(reference.scene, distance), findMethod("dopri54"), kTwinShare, runs);
+  Twin twin;
+  for (std::size_t k = 0; k < motion.positions.size(); ++k) {
+    const double apart = distanceBetween(motion.positions[k], reference.motion.positions[k]).rms;
+    twin.amplification.push_back(apart / distance);
+  }
+  twin.bulk = bulkOf(motion);
+  // A twin that failed is as lost as one can be.
+  twin.amplification.resize(runs.times.size(), 1 / kTwinDistance);
+  return twin;
+}
+
+/// What another method makes of the scene.
+struct SecondOpinion {
+  double step = 0;                   // s
+  std::vector<double> disagreement;  // as Reference::disagreement; empty where that method failed or was stopped
+
+  /// m, at the end of the run; NaN where there is none.
+  [[nodiscard]] double apart() const {
+    return disagreement.empty() ? std::numeric_limits<double>::quiet_NaN() : disagreement.back();
+  }
+};
+
+SecondOpinion opinionWith(double stepsPerSample, const Reference& reference, Runs& runs) {
+  Scene scene = reference.scene;
+  scene.dt = runs.times.front() / stepsPerSample;
+  const SampledMotion motion = runOf(scene, findMethod("rk4"), kRungShare * (1 - runs.progress.fraction()), runs);
+  SecondOpinion opinion{.step = motion.largestStep, .disagreement = {}};
+  if (!complete(motion, runs)) return opinion;
+  double largest = 0;
+  for (std::size_t k = 0; k < runs.times.size(); ++k) {
+    largest = std::max(largest, distanceBetween(motion.positions[k], reference.motion.positions[k]).rms);
+    opinion.disagreement.push_back(largest);
+  }
+  return opinion;
+}
+
+/// What the second opinion may cost: some times the reference itself, and small sheets cost next to nothing.
+double mostEvaluations(const Reference& reference, double patience) {
+  constexpr double kParticleEvaluations = 2e7;
+  const double particles = double(reference.scene.columns) * reference.scene.rows;
+  return std::max(patience * double(reference.motion.forceEvaluations), kParticleEvaluations / particles);
+}
+
+/// The classical Runge-Kutta method shares neither coefficients nor step control with the reference. Its step shrinks
+/// until it comes as close as is asked for, or gains no more, or costs too much.
+SecondOpinion secondOpinionOn(const Reference& reference, const ReferenceAim& aim, Runs& runs) {
+  const Method& method = findMethod("rk4");
+  const double agreement = std::max(aim.agreement, reference.scene.tolerance / 2);
+  const double interval = runs.times.front(), limit = restLatticeLimit(reference.scene, method);
+  constexpr double kFirstOfLimit = 0.25, kWithoutLimit = 64, kGain = 4;
+  const double most =
+      mostEvaluations(reference, aim.patience) / (method.evaluationsPerStep * static_cast<double>(runs.times.size()));
+  double count = limit > 0 ? std::ceil(interval / (kFirstOfLimit * limit)) : kWithoutLimit;
+  SecondOpinion opinion = opinionWith(count, reference, runs);
+  while (!runs.progress.stopped() && !(opinion.apart() <= agreement) && 2 * count <= most) {
+    const double before = opinion.apart();
+    const double factor = std::isnan(before) ? 4 : std::ceil(std::pow(before / agreement, 1.0 / method.order));
+    count *= std::clamp(factor, 2.0, std::min(8.0, std::floor(most / count)));
+    opinion = opinionWith(count, reference, runs);
+    if (opinion.apart() > before / kGain) break;
+  }
+  return opinion;
+}
 
 /// Half the distance between 1 and the next number.
 double roundingUnit(Precision precision) {
@@ -137,9 +143,9 @@ double errorFloor(double size, double amplification, double disagreement, Precis
 
 std::string Reference::whyUnusable() const {
   if (motion.status != Status::Ok) {
-    return formatted("dopri54 within %.3g m a step was ", scene.tolerance) + std::string(nameOf(motion.status));
+    return fmt::format("dopri54 within {:.3g} m a step was {}", scene.tolerance, nameOf(motion.status));
   }
-  return formatted("rk4 was unstable with steps of %.3g s", secondStep);
+  return fmt::format("rk4 was unstable with steps of {:.3g} s", secondStep);
 }
 
 bool Reference::usable() const {
@@ -172,9 +178,28 @@ double Reference::horizonOf(double error, Precision precision) const {
   return horizon;
 }
 
-Reference makeReference(Scene scene, int threads, const std::function<bool(double)>& observer,
+Reference makeReference(const Scene& scene, int threads, const std::function<bool(double)>& observer,
                         const ReferenceAim& aim) {
-  return ReferenceMaker(std::move(scene), threads, observer, aim).make();
+  Reference reference;
+  reference.size = makeSheet(scene).size();
+  reference.scene = referenceScene(scene, reference.size, aim.tolerance);
+  Runs runs{.times = sampleTimes(scene), .threads = threads, .progress = Progress(observer)};
+  const bool isGiven =
+      aim.motion != nullptr && !aim.motion->times.empty() && reference.scene.tolerance == aim.tolerance;
+  reference.motion = isGiven ? *aim.motion : runOf(reference.scene, findMethod("dopri54"), kMainShare, runs);
+  reference.bulk = bulkOf(reference.motion);
+  if (complete(reference.motion, runs)) {
+    Twin twin = twinBeside(reference, runs);
+    reference.amplification = std::move(twin.amplification);
+    reference.twinBulk = std::move(twin.bulk);
+  }
+  if (complete(reference.motion, runs)) {
+    SecondOpinion opinion = secondOpinionOn(reference, aim, runs);
+    reference.secondStep = opinion.step;
+    reference.disagreement = std::move(opinion.disagreement);
+  }
+  reference.stopped = runs.progress.stopped();
+  return reference;
 }
 
 Scene twinOf(Scene scene, double distance) {

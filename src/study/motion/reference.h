@@ -61,7 +61,7 @@ struct ReferenceAim {
 
 /// Computes a scene's reference over its whole duration. `observer` gets the fraction done and may return false to
 /// stop.
-Reference makeReference(Scene scene, int threads, const std::function<bool(double fraction)>& observer,
+Reference makeReference(const Scene& scene, int threads, const std::function<bool(double fraction)>& observer,
                         const ReferenceAim& aim = {});
 
 /// The same scene, every free particle moved by the same small random displacements each time: `distance` m RMS over

@@ -1,4 +1,4 @@
-// Finer sheets of the same cloth.
+// Every finer sheet is run once, and thinned to the particles that the scene's own sheet has too.
 #include "study/motion/refinement.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ int refinementOf(const Scene& scene, const Grid& grid) {
   return across == down ? across : 0;
 }
 
-/// The samples of the finer motion at the places of the coarse particles.
+/// The samples of those particles of the finer sheet that the coarse one has too.
 SampledMotion thinned(const SampledMotion& fine, const Scene& scene, const Grid& grid) {
   const int every = refinementOf(scene, grid);
   SampledMotion coarse;

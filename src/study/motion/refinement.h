@@ -13,8 +13,8 @@ struct Grid {
   int columns = 1, rows = 1;
 };
 
-/// A finer sheet, and its largest distance over the sample times from the scene's own sheet at the places that both
-/// have.
+/// A finer sheet, and its largest distance over the sample times from the scene's own sheet, over the particles
+/// that both have.
 struct SheetDistance {
   Grid grid;
   Distance distance;  ///< m; NaN where the finer sheet's run failed

@@ -1,4 +1,4 @@
-// Bilinear places.
+// Bilinear interpolation between the particles of a grid, in whole numbers as far as they go.
 #include "study/motion/resampled.h"
 
 #include <algorithm>
@@ -6,7 +6,8 @@
 namespace tyg {
 namespace {
 
-/// Between which two of `from` the k-th of `to` lies, and how far on the way to the second.
+/// Of `from` columns (or rows), the two that the k-th of `to` lies between, and the fraction of the distance to the
+/// second.
 struct Between {
   int first = 0, second = 0;
   double share = 0;
@@ -14,9 +15,9 @@ struct Between {
 
 Between between(int k, int to, int from) {
   if (to == 1 || from == 1) return {};
-  // Whole numbers: particles that both grids have are met exactly.
-  const int place = k * (from - 1), first = place / (to - 1);
-  return {first, std::min(first + 1, from - 1), static_cast<double>(place % (to - 1)) / (to - 1)};
+  // In whole numbers, so that particles that both grids have are met exactly.
+  const int scaled = k * (from - 1), first = scaled / (to - 1);
+  return {first, std::min(first + 1, from - 1), static_cast<double>(scaled % (to - 1)) / (to - 1)};
 }
 
 Vec3 mixed(const Vec3& a, const Vec3& b, double share) {

@@ -1,4 +1,4 @@
-// A motion of a sheet at the places of another grid of the same cloth.
+// A motion of a sheet, read off at the particles of another grid of the same cloth.
 // Must not know: how motions come about.
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace tyg {
 
-/// `motion` of `from`'s sheet at the places of `to`'s particles: bilinear between the four particles around the same
-/// fraction of the way along both sides. Where `to` holds a particle of `from`, its very position.
+/// `motion` of `from`'s sheet at the particles of `to`: interpolated bilinearly between the four particles around the
+/// same fractions of both sides. Where both grids have a particle, it is that particle's very position.
 SampledMotion resampled(const SampledMotion& motion, const Scene& from, const Scene& to);
 
 /// A motion's samples up to a time (s); the rest of it is as it was.

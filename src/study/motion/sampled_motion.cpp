@@ -1,4 +1,4 @@
-// Running and sampling.
+// The run stops at every sample time; the edges of pushes choose how many there are.
 #include "study/motion/sampled_motion.h"
 
 #include <algorithm>
@@ -12,11 +12,11 @@ namespace {
 constexpr int kFewestSamples = 20, kMostSamples = 64;
 
 bool pushEdgesFallOn(const Scene& scene, int samples) {
-  constexpr double kSamePlace = 1e-9;
+  constexpr double kRounding = 1e-9;
   return std::ranges::all_of(scene.pushes, [&](const Push& push) {
     return std::ranges::all_of(std::array{push.at, push.at + push.duration}, [&](double edge) {
-      const double place = edge / scene.duration * samples;
-      return edge >= scene.duration || std::abs(place - std::round(place)) < kSamePlace;
+      const double sample = edge / scene.duration * samples;
+      return edge >= scene.duration || std::abs(sample - std::round(sample)) < kRounding;
     });
   });
 }

@@ -1,4 +1,4 @@
-// The first push says when something happens; a scene without one has swung furthest a good quarter of a swing in.
+// The first push says when something happens; a scene without one has swung furthest after a good quarter of a swing.
 #include "study/motion/telling_moment.h"
 
 #include <algorithm>

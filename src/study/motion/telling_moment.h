@@ -1,4 +1,4 @@
-// When a scene is worth a picture.
+// The time at which one picture shows most of a scene.
 // Must not know: what draws it.
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace tyg {
 
-/// The moment that shows most of a scene in one picture, s: the end of its first push, else some way into the run.
+/// In s: the end of the scene's first push; without a push, 0.45 s or the end of the run if that is earlier.
 double tellingMoment(const Scene& scene);
 
 }  // namespace tyg

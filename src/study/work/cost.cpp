@@ -1,10 +1,13 @@
-// Bursts of steps, and what is made of their times.
+// The same scene and the yardstick are stepped in short bursts that take turns; the ratio of their fastest bursts is
+// the price.
 #include "study/work/cost.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <sstream>
 #include <utility>
 
+#include "core/forces/term.h"
 #include "tyg/methods.h"
 
 namespace tyg {
@@ -26,8 +29,8 @@ class Bursts {
       : simulation_(scene, findMethod(scene.integrator), {.threads = threads, .keepGoing = true}),
         clock_(clock),
         threads_(threads) {
-    // So many ticks at once as make looking at the clock cheap, but a single one where that takes long: on a large
-    // sheet some methods solve equations for a tenth of a second.
+    // As many ticks at once as make reading the clock cheap, but a single one where a tick takes long: on a large sheet
+    // some methods solve equations for a tenth of a second.
     constexpr std::int64_t kMostTicks = 64;
     while (ticks_ < kMostTicks && secondsOf(ticks_) < kLongEnough) ticks_ *= 2;
   }
@@ -59,7 +62,7 @@ class Bursts {
     return clock_(threads_) - start;
   }
 
-  static constexpr double kLongEnough = 3e-4;  // s: hundreds of times what looking at a clock takes
+  static constexpr double kLongEnough = 3e-4;  // s: hundreds of times what reading a clock takes
   Simulation simulation_;
   const CostMeter::Clock& clock_;
   int threads_;
@@ -67,19 +70,19 @@ class Bursts {
   std::vector<double> perUnit_;
 };
 
-/// Whatever a unit's cost depends on. The step counts only for methods whose solve depends on it.
+/// Everything that a unit's cost depends on. The step counts only for methods whose solve depends on it.
 std::string keyOf(const Scene& scene, int threads) {
   const Method& method = findMethod(scene.integrator);
-  std::ostringstream key;
-  key << scene.integrator << (scene.precision == Precision::Float ? " float " : " double ") << scene.columns << "x"
-      << scene.rows << " " << threads << (scene.damping == Damping::Axial ? " axial" : "")
-      << (scene.drag > 0 ? " drag" : "");
-  for (const SpringFamily& family : {scene.structural, scene.shear, scene.bend}) {
-    key << " " << (family.ks > 0) << (family.kd > 0);
+  std::string key = fmt::format("{} {} {}x{} {}{}", scene.integrator, nameOf(scene.precision), scene.columns,
+                                scene.rows, threads, scene.damping == Damping::Axial ? " axial" : "");
+  for (const ForceTerm* term : forceTerms()) {
+    for (const Parameter& parameter : term->parameters) {
+      if (parameter.get(scene) != Vec3{}) key += fmt::format(" {}", parameter.key);
+    }
   }
   // A Chebyshev method's stages follow its step too: long chains of them share what a step costs besides.
-  if (workVaries(method) || method.stableStepOfScene != nullptr) key << " " << scene.dt;
-  return key.str();
+  if (workVaries(method) || method.stableStepOfScene != nullptr) key += fmt::format(" {:g}", scene.dt);
+  return key;
 }
 
 }  // namespace

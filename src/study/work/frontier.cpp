@@ -1,4 +1,4 @@
-// Prices of an error.
+// One pass over the rows keeps the cheapest of each method and precision that is within the error.
 #include "study/work/frontier.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Ladders.
+// Steps are multiples of a method's stable limit, tolerances powers of ten.
 #include "study/work/ladder.h"
 
 #include <algorithm>

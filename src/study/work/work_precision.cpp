@@ -1,5 +1,8 @@
-// The study: ladders of error runs, then rounds of timing.
+// First every method goes down its ladder, with a run for the error and a first timed run on every rung; then all timed
+// runs are repeated in rounds.
 #include "study/work/work_precision.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +11,7 @@
 #include <utility>
 
 #include "study/motion/error.h"
+#include "study/motion/progress.h"
 #include "study/work/ladder.h"
 
 namespace tyg {
@@ -20,212 +24,227 @@ RowStatus rowStatus(Status status) {
   return status == Status::Ok ? RowStatus::Ok : status == Status::Unstable ? RowStatus::Unstable : RowStatus::NotFinite;
 }
 
-class StudyMaker {
- public:
-  StudyMaker(const Scene& scene, const Reference& reference, const StudyPlan& plan)
-      : scene_(scene), reference_(reference), plan_(plan), times_(sampleTimes(scene)) {}
-
-  Study make() {
-    for (const Method* method : plan_.methods) {
-      for (const Precision precision : plan_.precisions) {
-        series_.push_back({.method = method, .precision = precision, .rungs = ladderOf(scene_, *method), .runs = {}});
-      }
-    }
-    if (plan_.firstRungs > 0) climbAll(plan_.firstRungs);
-    climbAll(std::numeric_limits<std::size_t>::max());
-    if (!study_.stopped) repeatTimings();
-    for (const Series& series : series_) {
-      for (const Timed& run : series.runs) {
-        study_.rows.push_back(run.row);
-        if (run.past) study_.pastHorizon.push_back({run.row, run.past->distance, run.past->band});
-      }
-    }
-    return std::move(study_);
-  }
-
- private:
-  /// A row, and what is needed to time it again.
-  struct Timed {
-    WorkRow row;
-    Scene scene;
-    const Method* method;
-    std::optional<PastHorizon> past;
-    std::size_t rung = 0;  ///< its place in the ladder
-    int repeats = 0;
-    double spent = 0;  ///< s, in timing
-  };
-
-  /// One method in one precision, as far down its ladder as it is.
-  struct Series {
-    const Method* method;
-    Precision precision;
-    std::vector<Rung> rungs;
-    std::vector<Timed> runs;  ///< of the first rungs
-    bool ended = false;
-  };
-
-  /// Every series down to so many rungs.
-  void climbAll(std::size_t rungs) {
-    for (Series& series : series_) {
-      climbStart_ = plan_.clock();
-      while (!study_.stopped && !series.ended && series.runs.size() < std::min(rungs, series.rungs.size()))
-        climb(series);
-      ++climbs_;
-    }
-  }
-
-  /// One rung; the last where the error is as small as it can or shall be, or the run takes too long.
-  void climb(Series& series) {
-    Scene scene = scene_;
-    scene.precision = series.precision;
-    const Rung& rung = series.rungs[series.runs.size()];
-    scene.dt = rung.dt;
-    scene.tolerance = rung.tolerance;
-    try {
-      Timed run = errorRun(scene, *series.method);
-      if (study_.stopped) return;
-      run.rung = series.runs.size();
-      series.runs.push_back(std::move(run));
-    } catch (const InputError& refusal) {
-      refuse(*series.method, refusal.what());
-      series.ended = true;
-      return;
-    }
-    Timed& run = series.runs.back();
-    if (run.row.status != RowStatus::TooSlow) time(run);
-    if (study_.stopped) return;
-    if (plan_.rowObserver) plan_.rowObserver(run.row);
-    series.ended = endsLadder(series.runs);
-  }
-
-  void refuse(const Method& method, const std::string& why) {
-    const std::string text = std::string(method.name) + ": " + why;
-    if (std::ranges::find(study_.refusals, text) == study_.refusals.end()) study_.refusals.push_back(text);
-  }
-
-  Timed errorRun(const Scene& scene, const Method& method) {
-    const double start = plan_.clock();
-    bool late = false;
-    const auto observer = [&](double) {
-      late = plan_.clock() - start > plan_.runBudget;
-      return goesOn(ladderFraction()) && !late;
-    };
-    const SampledMotion motion =
-        sampledRun(scene, method, times_, {.threads = plan_.threads, .ledger = true, .observer = observer});
-    Timed run{.row = {}, .scene = scene, .method = &method, .past = {}};
-    WorkRow& row = run.row;
-    row.scene = scene.name, row.columns = scene.columns, row.rows = scene.rows;
-    row.integrator = method.name, row.precision = scene.precision;
-    row.dt = motion.largestStep, row.tolerance = method.adaptive ? scene.tolerance : 0;
-    row.steps = motion.steps, row.forceEvaluations = motion.forceEvaluations;
-    row.floor = reference_.floorOf(scene.precision);
-    row.status = motion.stopped ? RowStatus::TooSlow : rowStatus(motion.status);
-    if (row.status == RowStatus::TooSlow) row.seconds = plan_.clock() - start;
-    if (row.status != RowStatus::Ok) return run;
-    const Distance error = motionError(motion, reference_.motion);
-    row.rmsError = error.rms, row.maxError = error.largest;
-    row.energyDrift = motion.energyDrift;
-    row.horizon = reference_.horizonOf(error.rms, scene.precision);
-    if (!row.trusted(scene.duration)) {
-      run.past = {.row = {},
-                  .distance = reference_.distanceAfter(row.horizon, motion),
-                  .band = reference_.bandAfter(row.horizon, scene.precision)};
-    }
-    return run;
-  }
-
-  /// Times the run of a row: the same scene from stop to stop, with nothing else between the steps.
-  void time(Timed& run) {
-    Simulation simulation(run.scene, *run.method, {.threads = plan_.threads});
-    simulation.observe([&] { return goesOn(fraction_); });
-    const double start = plan_.clock();
-    simulation.advanceTo(run.scene.duration);
-    const double seconds = plan_.clock() - start;
-    if (study_.stopped) return;
-    WorkRow& row = run.row;
-    if (row.status == RowStatus::Ok) row.status = rowStatus(simulation.status());
-    row.steps = simulation.steps(), row.forceEvaluations = simulation.forceEvaluations();
-    row.dt = simulation.largestStep();
-    row.seconds = run.repeats == 0 ? seconds : std::min(row.seconds, seconds);
-    run.spent += seconds;
-    ++run.repeats;
-  }
-
-  [[nodiscard]] bool endsLadder(const std::vector<Timed>& runs) const {
-    const WorkRow& row = runs.back().row;
-    if (row.status == RowStatus::TooSlow) return true;
-    if (row.status != RowStatus::Ok) return false;
-    // Not even double tells such errors. Float goes on past its own floor, which is the worst that rounding may do:
-    // what it does is seen where its curve ends.
-    if (row.rmsError < std::max(reference_.floorOf(Precision::Double), plan_.lowestError)) return true;
-    // Rounding, not the method, is what is left where two finer rungs gain nothing near the floor.
-    constexpr double kNearTheFloor = 1000, kNoGain = 0.7;
-    if (runs.size() < 3 || !(row.rmsError < kNearTheFloor * row.floor)) return false;
-    const double before = runs[runs.size() - 3].row.rmsError, between = runs[runs.size() - 2].row.rmsError;
-    return between > kNoGain * before && row.rmsError > kNoGain * before;
-  }
-
-  [[nodiscard]] bool wantsRepeat(const Timed& run) const {
-    if (run.row.status != RowStatus::Ok || run.repeats >= kMostRepeats) return false;
-    return run.repeats < plan_.fewestRepeats || run.spent < plan_.repeatSeconds;
-  }
-
-  /// Rounds over all rows, neighbours in time being different methods at the same place of their ladders: whatever
-  /// slows the machine down for a while slows all methods down.
-  void repeatTimings() {
-    std::vector<Timed*> order;
-    for (Series& series : series_) {
-      for (Timed& run : series.runs) order.push_back(&run);
-    }
-    std::ranges::stable_sort(order, {}, &Timed::rung);
-    double expected = 0, spent = 0;
-    for (const Timed* run : order) {
-      if (!wantsRepeat(*run)) continue;
-      expected += std::max((plan_.fewestRepeats - 1) * run->row.seconds,
-                           std::min(plan_.repeatSeconds, (kMostRepeats - 1) * run->row.seconds));
-    }
-    expected = std::min(expected, plan_.roundsBudget);
-    const double start = plan_.clock();
-    for (bool any = true; any && !study_.stopped;) {
-      any = false;
-      for (Timed* run : order) {
-        if (study_.stopped || !wantsRepeat(*run) || plan_.clock() - start > plan_.roundsBudget) continue;
-        any = true;
-        const double before = run->spent;
-        time(*run);
-        spent += run->spent - before;
-        fraction_ = kLadderShare + (1 - kLadderShare) * std::min(1.0, spent / expected);
-      }
-    }
-  }
-
-  /// A climb takes some budgets' time at most; one that ends early makes the rest come sooner.
-  double ladderFraction() {
-    constexpr double kBudgetsPerClimb = 5;
-    const double inClimb = std::min(1.0, (plan_.clock() - climbStart_) / (kBudgetsPerClimb * plan_.runBudget));
-    const auto all = double(series_.size() * (plan_.firstRungs > 0 ? 2 : 1));
-    return fraction_ = std::max(fraction_, kLadderShare * (double(climbs_) + inClimb) / all);
-  }
-
-  bool goesOn(double fraction) {
-    if (plan_.observer && !plan_.observer(fraction)) study_.stopped = true;
-    return !study_.stopped;
-  }
-
-  const Scene& scene_;
-  const Reference& reference_;
-  const StudyPlan& plan_;
-  std::vector<double> times_;
-  Study study_;
-  std::vector<Series> series_;
-  std::size_t climbs_ = 0;  ///< of one series each, done
-  double climbStart_ = 0, fraction_ = 0;
+/// What all runs of a study share.
+struct Shared {
+  const Scene& scene;
+  const Reference& reference;
+  const StudyPlan& plan;
+  std::vector<double> times;  // s, of the samples
+  Progress progress;
 };
+
+/// A row, and what is needed to time it again.
+struct TimedRow {
+  WorkRow row;
+  Scene scene;
+  const Method* method;
+  std::optional<PastHorizon> past;
+  std::size_t rung = 0;  // its index in the ladder
+  int repeats = 0;
+  double spent = 0;  // s, in timing
+};
+
+/// One method in one precision, as far down its ladder as it is.
+struct Series {
+  const Method* method;
+  Precision precision;
+  std::vector<Rung> rungs;
+  std::vector<TimedRow> runs;  // of the first rungs
+  bool ended = false;
+  std::string refusal;  // what the method says about the scene; empty where it takes it
+};
+
+std::vector<Series> seriesOf(const Scene& scene, const StudyPlan& plan) {
+  std::vector<Series> all;
+  for (const Method* method : plan.methods) {
+    for (const Precision precision : plan.precisions) {
+      all.push_back({.method = method,
+                     .precision = precision,
+                     .rungs = ladderOf(scene, *method),
+                     .runs = {},
+                     .ended = false,
+                     .refusal = {}});
+    }
+  }
+  return all;
+}
+
+/// Runs a scene for its error; `goesOn` is asked now and then, and what it stops is not finished.
+TimedRow errorRun(const Scene& scene, const Method& method, const Shared& shared, const std::function<bool()>& goesOn) {
+  const StudyPlan& plan = shared.plan;
+  const Reference& reference = shared.reference;
+  const double start = plan.clock();
+  const auto observer = [&](double) {
+    const bool late = plan.clock() - start > plan.runBudget;
+    return goesOn() && !late;
+  };
+  const SampledMotion motion =
+      sampledRun(scene, method, shared.times, {.threads = plan.threads, .ledger = true, .observer = observer});
+  TimedRow run{.row = {}, .scene = scene, .method = &method, .past = {}};
+  WorkRow& row = run.row;
+  row.scene = scene.name, row.columns = scene.columns, row.rows = scene.rows;
+  row.integrator = method.name, row.precision = scene.precision;
+  row.dt = motion.largestStep, row.tolerance = method.adaptive ? scene.tolerance : 0;
+  row.steps = motion.steps, row.forceEvaluations = motion.forceEvaluations;
+  row.floor = reference.floorOf(scene.precision);
+  row.status = motion.stopped ? RowStatus::TooSlow : rowStatus(motion.status);
+  if (row.status == RowStatus::TooSlow) row.seconds = plan.clock() - start;
+  if (row.status != RowStatus::Ok) return run;
+  const Distance error = motionError(motion, reference.motion);
+  row.rmsError = error.rms, row.maxError = error.largest;
+  row.energyDrift = motion.energyDrift;
+  row.horizon = reference.horizonOf(error.rms, scene.precision);
+  if (!row.trusted(scene.duration)) {
+    run.past = {.row = {},
+                .distance = reference.distanceAfter(row.horizon, motion),
+                .band = reference.bandAfter(row.horizon, scene.precision)};
+  }
+  return run;
+}
+
+/// Times the run of a row: the same scene from stop to stop, with nothing else between the steps.
+void time(TimedRow& run, Shared& shared) {
+  Simulation simulation(run.scene, *run.method, {.threads = shared.plan.threads});
+  simulation.observe([&] { return shared.progress.goesOn(); });
+  const double start = shared.plan.clock();
+  simulation.advanceTo(run.scene.duration);
+  const double seconds = shared.plan.clock() - start;
+  if (shared.progress.stopped()) return;
+  WorkRow& row = run.row;
+  if (row.status == RowStatus::Ok) row.status = rowStatus(simulation.status());
+  row.steps = simulation.steps(), row.forceEvaluations = simulation.forceEvaluations();
+  row.dt = simulation.largestStep();
+  row.seconds = run.repeats == 0 ? seconds : std::min(row.seconds, seconds);
+  run.spent += seconds;
+  ++run.repeats;
+}
+
+/// Is the error as small as it can or shall be, or did the run take too long?
+bool endsLadder(const std::vector<TimedRow>& runs, const Shared& shared) {
+  const WorkRow& row = runs.back().row;
+  if (row.status == RowStatus::TooSlow) return true;
+  if (row.status != RowStatus::Ok) return false;
+  // Not even double tells such errors. Float goes on past its own floor, which is the worst that rounding may do:
+  // what it does is seen where its curve ends.
+  if (row.rmsError < std::max(shared.reference.floorOf(Precision::Double), shared.plan.lowestError)) return true;
+  // Rounding, not the method, is what is left where two finer rungs gain nothing near the floor.
+  constexpr double kNearTheFloor = 1000, kNoGain = 0.7;
+  if (runs.size() < 3 || !(row.rmsError < kNearTheFloor * row.floor)) return false;
+  const double before = runs[runs.size() - 3].row.rmsError, between = runs[runs.size() - 2].row.rmsError;
+  return between > kNoGain * before && row.rmsError > kNoGain * before;
+}
+
+/// One rung of a series down.
+void climb(Series& series, Shared& shared, const std::function<bool()>& goesOn) {
+  const Rung& rung = series.rungs[series.runs.size()];
+  Scene scene = shared.scene;
+  scene.precision = series.precision;
+  scene.dt = rung.dt;
+  scene.tolerance = rung.tolerance;
+  try {
+    TimedRow run = errorRun(scene, *series.method, shared, goesOn);
+    if (shared.progress.stopped()) return;
+    run.rung = series.runs.size();
+    series.runs.push_back(std::move(run));
+  } catch (const InputError& refusal) {
+    series.refusal = refusal.what();
+    series.ended = true;
+    return;
+  }
+  TimedRow& run = series.runs.back();
+  if (run.row.status != RowStatus::TooSlow) time(run, shared);
+  if (shared.progress.stopped()) return;
+  if (shared.plan.rowObserver) shared.plan.rowObserver(run.row);
+  series.ended = endsLadder(series.runs, shared);
+}
+
+/// Every series down to so many rungs. The climbs are `share` of the whole work, of which `done` came before.
+void climbAll(std::vector<Series>& all, std::size_t rungs, Shared& shared, double done, double share) {
+  const double each = share / double(all.size());
+  for (Series& series : all) {
+    const double start = shared.plan.clock();
+    const auto goesOn = [&] {
+      // A climb takes some budgets' time at most; one that ends early makes the rest come sooner.
+      constexpr double kBudgetsPerClimb = 5;
+      const double inClimb = (shared.plan.clock() - start) / (kBudgetsPerClimb * shared.plan.runBudget);
+      return shared.progress.reach(done + each * std::min(1.0, inClimb));
+    };
+    const std::size_t last = std::min(rungs, series.rungs.size());
+    while (!shared.progress.stopped() && !series.ended && series.runs.size() < last) climb(series, shared, goesOn);
+    done += each;
+  }
+}
+
+bool wantsRepeat(const TimedRow& run, const StudyPlan& plan) {
+  if (run.row.status != RowStatus::Ok || run.repeats >= kMostRepeats) return false;
+  return run.repeats < plan.fewestRepeats || run.spent < plan.repeatSeconds;
+}
+
+/// s that all repeats together will take, about.
+double expectedRepeats(const std::vector<TimedRow*>& runs, const StudyPlan& plan) {
+  double expected = 0;
+  for (const TimedRow* run : runs) {
+    if (!wantsRepeat(*run, plan)) continue;
+    expected += std::max((plan.fewestRepeats - 1) * run->row.seconds,
+                         std::min(plan.repeatSeconds, (kMostRepeats - 1) * run->row.seconds));
+  }
+  return std::min(expected, plan.roundsBudget);
+}
+
+/// Rounds over all rows, neighbours in time being different methods at the same rung of their ladders: whatever slows
+/// the machine down for a while slows all methods down.
+void repeatTimings(std::vector<Series>& all, Shared& shared) {
+  const StudyPlan& plan = shared.plan;
+  std::vector<TimedRow*> order;
+  for (Series& series : all) {
+    for (TimedRow& run : series.runs) order.push_back(&run);
+  }
+  std::ranges::stable_sort(order, {}, &TimedRow::rung);
+  const double expected = expectedRepeats(order, plan), start = plan.clock();
+  double spent = 0;
+  for (bool any = true; any && !shared.progress.stopped();) {
+    any = false;
+    for (TimedRow* run : order) {
+      const bool wanted = !shared.progress.stopped() && wantsRepeat(*run, plan);
+      if (!wanted || plan.clock() - start > plan.roundsBudget) continue;
+      any = true;
+      const double before = run->spent;
+      time(*run, shared);
+      spent += run->spent - before;
+      shared.progress.advanceTo(kLadderShare + (1 - kLadderShare) * std::min(1.0, spent / expected));
+    }
+  }
+}
+
+Study studyOf(const std::vector<Series>& all, bool stopped) {
+  Study study;
+  study.stopped = stopped;
+  for (const Series& series : all) {
+    for (const TimedRow& run : series.runs) {
+      study.rows.push_back(run.row);
+      if (run.past) study.pastHorizon.push_back({run.row, run.past->distance, run.past->band});
+    }
+    if (series.refusal.empty()) continue;
+    const std::string text = fmt::format("{}: {}", series.method->name, series.refusal);
+    if (std::ranges::find(study.refusals, text) == study.refusals.end()) study.refusals.push_back(text);
+  }
+  return study;
+}
 
 }  // namespace
 
 Study workPrecision(const Scene& scene, const Reference& reference, const StudyPlan& plan) {
-  return StudyMaker(scene, reference, plan).make();
+  Shared shared{.scene = scene,
+                .reference = reference,
+                .plan = plan,
+                .times = sampleTimes(scene),
+                .progress = Progress(plan.observer)};
+  std::vector<Series> all = seriesOf(scene, plan);
+  const double firstShare = plan.firstRungs > 0 ? kLadderShare / 2 : 0;
+  if (plan.firstRungs > 0) climbAll(all, plan.firstRungs, shared, 0, firstShare);
+  climbAll(all, std::numeric_limits<std::size_t>::max(), shared, firstShare, kLadderShare - firstShare);
+  if (!shared.progress.stopped()) repeatTimings(all, shared);
+  return studyOf(all, shared.progress.stopped());
 }
 
 }  // namespace tyg

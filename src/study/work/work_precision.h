@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "study/motion/past_horizon.h"
 #include "study/motion/reference.h"
+#include "study/work/past_horizon.h"
 #include "study/work/work_rows.h"
 
 namespace tyg {

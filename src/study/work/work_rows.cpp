@@ -1,11 +1,13 @@
-// Rows as CSV and back.
+// Rows as lines of CSV, and such lines read back with a message for every field that cannot be read.
 #include "study/work/work_rows.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 
-#include "util/text.h"
+#include "util/csv.h"
 
 namespace tyg {
 namespace {
@@ -14,87 +16,61 @@ constexpr std::string_view kHeader =
     "scene,columns,rows,integrator,precision,dt,tolerance,steps,force_evaluations,seconds,"
     "rms_error_m,max_error_m,energy_drift,floor_m,horizon_s,status";
 constexpr std::size_t kFields = 16;
+constexpr std::array kPrecisions{Precision::Double, Precision::Float};
 constexpr std::array kStatuses{RowStatus::Ok, RowStatus::Unstable, RowStatus::NotFinite, RowStatus::TooSlow};
 
-class LineReader {
- public:
-  LineReader(std::string_view line, const std::string& fileName, int number)
-      : where_(fileName + ":" + std::to_string(number)) {
-    split(line);
-    if (fields_.size() != kFields) {
-      refuse(std::to_string(fields_.size()) + " fields",
-             std::to_string(kFields) + ", as in the header " + std::string(kHeader));
-    }
-  }
-
-  WorkRow row() {
-    WorkRow row;
-    row.scene = fields_[0];
-    row.columns = number<int>(1);
-    row.rows = number<int>(2);
-    row.integrator = fields_[3];
-    row.precision = precision();
-    row.dt = number<double>(5);
-    row.tolerance = number<double>(6);
-    row.steps = number<std::int64_t>(7);
-    row.forceEvaluations = number<std::int64_t>(8);
-    row.seconds = number<double>(9);
-    row.rmsError = number<double>(10);
-    row.maxError = number<double>(11);
-    row.energyDrift = number<double>(12);
-    row.floor = number<double>(13);
-    row.horizon = number<double>(14);
-    row.status = status();
-    return row;
-  }
-
- private:
-  void split(std::string_view line) {
-    bool quoted = false;
-    fields_.emplace_back();
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      const char c = line[i];
-      if (c == '"') {
-        if (quoted && i + 1 < line.size() && line[i + 1] == '"') {
-          fields_.back() += line[++i];
-        } else {
-          quoted = !quoted;
-        }
-      } else if (c == ',' && !quoted) {
-        fields_.emplace_back();
-      } else {
-        fields_.back() += c;
-      }
-    }
-  }
-
-  [[noreturn]] void refuse(const std::string& found, const std::string& allowed) const {
-    throw InputError(where_ + ": found " + found + ", allowed " + allowed);
-  }
-
-  template <class Number>
-  [[nodiscard]] Number number(std::size_t k) const {
-    Number value{};
-    const std::string& text = fields_[k];
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) refuse("'" + text + "'", "a number");
-    return value;
-  }
-
-  [[nodiscard]] Precision precision() const {
-    if (fields_[4] != "float" && fields_[4] != "double") refuse("'" + fields_[4] + "'", "float or double");
-    return fields_[4] == "float" ? Precision::Float : Precision::Double;
-  }
-
-  [[nodiscard]] RowStatus status() const {
-    const auto* found = std::ranges::find_if(kStatuses, [&](RowStatus s) { return nameOf(s) == fields_[15]; });
-    if (found == kStatuses.end()) refuse("'" + fields_[15] + "'", "ok, unstable, not-finite or too-slow");
-    return *found;
-  }
-
-  std::string where_;
-  std::vector<std::string> fields_;
+/// One line of a file, as fields, and where it is: what the readers below need.
+struct Line {
+  std::vector<std::string> fields;
+  std::string where;  ///< FILE:LINE
 };
+
+[[noreturn]] void refuse(const Line& line, const std::string& found, std::string_view allowed) {
+  throw InputError(fmt::format("{}: found {}, allowed {}", line.where, found, allowed));
+}
+
+template <class Number>
+Number numberIn(const Line& line, std::size_t k) {
+  Number value{};
+  const std::string& text = line.fields[k];
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) refuse(line, "'" + text + "'", "a number");
+  return value;
+}
+
+/// The value of `all` that a field names.
+template <class Values>
+auto valueIn(const Line& line, std::size_t k, const Values& all, std::string_view allowed) {
+  const std::string& text = line.fields[k];
+  const auto found = std::ranges::find_if(all, [&](auto value) { return nameOf(value) == text; });
+  if (found == all.end()) refuse(line, "'" + text + "'", allowed);
+  return *found;
+}
+
+WorkRow rowIn(const Line& line) {
+  if (line.fields.size() != kFields) {
+    refuse(line, std::to_string(line.fields.size()) + " fields",
+           fmt::format("{}, as in the header {}", kFields, kHeader));
+  }
+  WorkRow row;
+  row.scene = line.fields[0];
+  row.columns = numberIn<int>(line, 1);
+  row.rows = numberIn<int>(line, 2);
+  row.integrator = line.fields[3];
+  row.precision = valueIn(line, 4, kPrecisions, "float or double");
+  row.dt = numberIn<double>(line, 5);
+  row.tolerance = numberIn<double>(line, 6);
+  row.steps = numberIn<std::int64_t>(line, 7);
+  row.forceEvaluations = numberIn<std::int64_t>(line, 8);
+  row.seconds = numberIn<double>(line, 9);
+  row.rmsError = numberIn<double>(line, 10);
+  row.maxError = numberIn<double>(line, 11);
+  row.energyDrift = numberIn<double>(line, 12);
+  row.floor = numberIn<double>(line, 13);
+  row.horizon = numberIn<double>(line, 14);
+  row.status = valueIn(line, 15, kStatuses, "ok, unstable, not-finite or too-slow");
+  return row;
+}
 
 }  // namespace
 
@@ -111,26 +87,12 @@ std::string_view nameOf(RowStatus status) {
   }
 }
 
-std::string csvField(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string workCsv(const std::vector<WorkRow>& rows) {
-  std::string csv(kHeader);
-  csv += "\n";
+  std::string csv = std::string(kHeader) + "\n";
   for (const WorkRow& row : rows) {
-    csv += csvField(row.scene);
-    csv += "," + std::to_string(row.columns) + "," + std::to_string(row.rows) + "," + row.integrator;
-    csv += row.precision == Precision::Float ? ",float," : ",double,";
-    csv += shortNumber(row.dt) + "," + shortNumber(row.tolerance) + "," + std::to_string(row.steps) + "," +
-           std::to_string(row.forceEvaluations);
-    for (const double number : {row.seconds, row.rmsError, row.maxError, row.energyDrift, row.floor, row.horizon}) {
-      csv += "," + shortNumber(number);
-    }
-    csv.append(",").append(nameOf(row.status)).append("\n");
+    csv += csvLine(row.scene, row.columns, row.rows, row.integrator, nameOf(row.precision), row.dt, row.tolerance,
+                   row.steps, row.forceEvaluations, row.seconds, row.rmsError, row.maxError, row.energyDrift, row.floor,
+                   row.horizon, nameOf(row.status));
   }
   return csv;
 }
@@ -144,10 +106,10 @@ std::vector<WorkRow> parseWorkCsv(std::string_view text, const std::string& file
     if (line.ends_with('\r')) line.remove_suffix(1);
     text.remove_prefix(std::min(end + 1, text.size()));
     if (++number == 1 && line != kHeader) {
-      throw InputError(fileName + ":1: found '" + std::string(line) +
-                       "', allowed is the header of a rows.csv: " + std::string(kHeader));
+      throw InputError(
+          fmt::format("{}:1: found '{}', allowed is the header of a rows.csv: {}", fileName, line, kHeader));
     }
-    if (number > 1 && !line.empty()) rows.push_back(LineReader(line, fileName, number).row());
+    if (number > 1 && !line.empty()) rows.push_back(rowIn({csvFields(line), fmt::format("{}:{}", fileName, number)}));
   }
   if (number == 0) throw InputError(fileName + ": found an empty file, allowed is a rows.csv of tyg chart");
   return rows;

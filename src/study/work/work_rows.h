@@ -45,9 +45,6 @@ struct WorkRow {
 /// rms_error_m,max_error_m,energy_drift,floor_m,horizon_s,status.
 std::string workCsv(const std::vector<WorkRow>& rows);
 
-/// A text as a field of a CSV line: between quotes where it holds a comma, a quote or a line break.
-std::string csvField(const std::string& text);
-
 /// Reads what workCsv() wrote. Throws InputError with file, line, what was found and what is allowed.
 std::vector<WorkRow> parseWorkCsv(std::string_view text, const std::string& fileName);
 

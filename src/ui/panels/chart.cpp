@@ -1,6 +1,7 @@
-// See chart.h. The study begins anew whenever something of the scene changes that its rows depend on.
+// The study begins anew whenever something of the scene changes that its rows depend on.
 #include "ui/panels/chart.h"
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <cmath>
@@ -12,7 +13,6 @@
 #include "ui/panels/chart_plot.h"
 #include "ui/panels/paragraph.h"
 #include "util/calibration_clock.h"
-#include "util/text.h"
 #include "viewer/background_study.h"
 #include "viewer/viewer.h"
 
@@ -40,10 +40,10 @@ std::vector<const Method*> methodsFrom(const Method& first) {
 class LiveChart final : public Panel {
  public:
   void follow(Viewer& viewer) override {
-    Scene part = studiedPart(viewer.scene());
+    Scene part = studiedPart(viewer.scenes().scene());
     if (part != studied_) {
       studied_ = std::move(part);
-      study_.start(viewer.scene(), methodsFrom(viewer.method()));
+      study_.start(viewer.scenes().scene(), methodsFrom(viewer.scenes().method()));
     }
     const StudyProgress& told = study_.look();
     const std::pair now{told.rows.size(), std::lround(100 * told.fraction)};
@@ -62,11 +62,12 @@ class LiveChart final : public Panel {
     const StudyProgress& told = study_.look();
     progressLine(scope, told);
     Viewer& viewer = scope.viewer;
-    const Simulation& simulation = viewer.simulation();
+    const Simulation& simulation = viewer.run().simulation();
     const ChartPlot::Contents contents{
         .rows = told.rows,
-        .scale = {.duration = viewer.scene().duration, .size = simulation.sheet().size()},
-        .present = {&viewer.method(), simulation.dt(), simulation.scene().tolerance, viewer.margin().limit},
+        .scale = {.duration = viewer.scenes().scene().duration, .size = simulation.sheet().size()},
+        .present = {&viewer.scenes().method(), simulation.dt(), simulation.scene().tolerance,
+                    viewer.run().margin().limit},
         .allMethods = told.allMethods};
     const WorkRow* under = plot_.draw(scope, contents, std::round(kPlotHeight * scope.size));
     if (under != nullptr && under->status == RowStatus::Ok && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
@@ -109,14 +110,14 @@ class LiveChart final : public Panel {
     const ChartAdvice advice = adviceOn(contents.rows, contents.present, contents.scale);
     paragraph(advice.present, scope.colours.text);
     const Pace& pace = scope.viewer.pace();
-    if (scope.viewer.state() == RunState::Running && pace.realTime > 0 && pace.simulating > 0) {
-      paragraph(formatted("Here and now, alarm included: %.3g ms per simulated second.",
-                          1e3 * pace.simulating / pace.realTime),
+    if (scope.viewer.run().state() == RunState::Running && pace.realTime > 0 && pace.simulating > 0) {
+      paragraph(fmt::format("Here and now, alarm included: {:.3g} ms per simulated second.",
+                            1e3 * pace.simulating / pace.realTime),
                 scope.colours.dim);
     }
     if (!advice.better.empty()) {
       paragraph(advice.better, scope.colours.good);
-    } else if (std::isfinite(placeOf(contents.rows, contents.present).error)) {
+    } else if (std::isfinite(estimateOf(contents.rows, contents.present).error)) {
       paragraph(contents.allMethods ? "Nothing measured so far is clearly cheaper or closer."
                                     : "Not every method has been measured yet.",
                 scope.colours.dim);
@@ -124,14 +125,14 @@ class LiveChart final : public Panel {
   }
 
   static void adopt(Viewer& viewer, const Setting& setting) {
-    Scene wanted = viewer.scene();
+    Scene wanted = viewer.scenes().scene();
     wanted.integrator = setting.method->name;
     if (setting.method->adaptive) {
       wanted.tolerance = setting.tolerance;
     } else {
       wanted.dt = setting.dt;
     }
-    viewer.use(wanted);
+    viewer.scenes().use(wanted);
   }
 
   BackgroundStudy study_{[] { return calibrationClock(1); }};

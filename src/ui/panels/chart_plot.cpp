@@ -1,16 +1,16 @@
 // Layout and drawing of the plot. All lengths come from the size of the text, all places from the two axes.
 #include "ui/panels/chart_plot.h"
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
-#include "study/charts/method_look.h"
+#include "study/charts/method_style.h"
 #include "tyg/methods.h"
 
 namespace tyg {
@@ -22,8 +22,6 @@ constexpr float kReach = 0.7F;       // text sizes from the cursor to a point th
 constexpr float kMarkRadius = 0.2F;  // text sizes
 constexpr double kRealTime = 1000;   // ms of computing per simulated second
 
-using Text = std::array<char, 32>;
-
 bool shown(const WorkRow& row) { return row.status == RowStatus::Ok && row.rmsError > 0 && row.seconds > 0; }
 bool failed(const WorkRow& row) { return row.status == RowStatus::Unstable || row.status == RowStatus::NotFinite; }
 
@@ -33,10 +31,9 @@ double costOf(const WorkRow& row, const ChartScale& scale) {
 }
 
 /// A power of ten for an axis.
-Text decadeText(int decade) {
-  Text text{};
-  std::snprintf(text.data(), text.size(), decade < -3 || decade > 4 ? "%.0e" : "%g", std::pow(10.0, decade));
-  return text;
+std::string decadeText(int decade) {
+  const double value = std::pow(10.0, decade);
+  return decade < -3 || decade > 4 ? fmt::format("{:.0e}", value) : fmt::format("{:g}", value);
 }
 
 /// Whole decades around what is to be shown.
@@ -101,7 +98,7 @@ void drawLine(ImDrawList& list, ImVec2 from, ImVec2 to, Colour colour, float wid
 }  // namespace
 
 /// Where things are on the screen, and what draws them.
-struct ChartPlot::Pen {
+struct ChartPlot::Layout {
   ImDrawList& list;
   const PanelScope& scope;
   const ChartScale& scale;
@@ -110,16 +107,18 @@ struct ChartPlot::Pen {
 
   [[nodiscard]] float small() const { return kSmall * scope.size; }
   [[nodiscard]] float strip() const { return kStrip * scope.size; }
-  [[nodiscard]] float x(double milliseconds) const { return left + float(cost.place(milliseconds)) * (right - left); }
-  [[nodiscard]] float y(double millimetres) const {
-    return bottom - float(error.place(millimetres)) * (bottom - top - strip());
+  [[nodiscard]] float x(double milliseconds) const {
+    return left + float(cost.fractionAt(milliseconds)) * (right - left);
   }
-  /// Where a row stands; a failed one in the strip.
+  [[nodiscard]] float y(double millimetres) const {
+    return bottom - float(error.fractionAt(millimetres)) * (bottom - top - strip());
+  }
+  /// Where a row is drawn; a failed one in the strip.
   [[nodiscard]] ImVec2 at(const WorkRow& row) const {
     const float across = std::clamp(x(costOf(row, scale)), left, right);
     return {across, failed(row) ? top + 0.5F * strip() : y(1e3 * row.rmsError)};
   }
-  [[nodiscard]] Colour colour(const MethodLook& look) const { return seriesColour(look.colour, scope.background); }
+  [[nodiscard]] Colour colour(const MethodStyle& look) const { return seriesColour(look.colour, scope.background); }
   [[nodiscard]] ImVec2 extent(const char* text) const {
     return ImGui::GetFont()->CalcTextSizeA(small(), 1e6F, 0, text);
   }
@@ -128,7 +127,7 @@ struct ChartPlot::Pen {
   }
 };
 
-void ChartPlot::chooseAxes(const Contents& contents, const SettingPlace& place) {
+void ChartPlot::chooseAxes(const Contents& contents, const SettingEstimate& place) {
   DecadeRange costs, errors;
   for (const WorkRow& row : contents.rows) {
     if (!shown(row)) continue;
@@ -152,128 +151,132 @@ std::pair<int, int> decadesOf(const LogAxis& axis) {
 
 }  // namespace
 
-void ChartPlot::drawGrid(const Pen& pen) {
-  const Colours& colours = pen.scope.colours;
-  pen.list.AddRectFilled({pen.left, pen.top}, {pen.right, pen.bottom}, colours.field);
-  pen.list.AddRectFilled({pen.left, pen.top}, {pen.right, pen.top + pen.strip()}, faded(colours.warning, 0.22F));
+void ChartPlot::drawGrid(const Layout& layout) {
+  const Colours& colours = layout.scope.colours;
+  layout.list.AddRectFilled({layout.left, layout.top}, {layout.right, layout.bottom}, colours.field);
+  layout.list.AddRectFilled({layout.left, layout.top}, {layout.right, layout.top + layout.strip()},
+                            faded(colours.warning, 0.22F));
   constexpr const char* kFailed = "failed";
-  pen.text({pen.left - pen.extent(kFailed).x - 0.4F * pen.small(), pen.top + 0.5F * (pen.strip() - pen.small())},
-           colours.dim, kFailed);
-  drawCostTicks(pen);
-  drawErrorTicks(pen);
-  if (pen.cost.low >= kRealTime || kRealTime >= pen.cost.high) return;
-  const float x = pen.x(kRealTime);
-  drawLine(pen.list, {x, pen.top}, {x, pen.bottom}, colours.dim, 1.5F, true);
+  layout.text({layout.left - layout.extent(kFailed).x - 0.4F * layout.small(),
+               layout.top + 0.5F * (layout.strip() - layout.small())},
+              colours.dim, kFailed);
+  drawCostTicks(layout);
+  drawErrorTicks(layout);
+  if (layout.cost.low >= kRealTime || kRealTime >= layout.cost.high) return;
+  const float x = layout.x(kRealTime);
+  drawLine(layout.list, {x, layout.top}, {x, layout.bottom}, colours.dim, 1.5F, true);
   constexpr const char* kWords = "real time";
-  const float width = pen.extent(kWords).x;
-  pen.text({x - width - 4 > pen.left ? x - width - 4 : x + 4, pen.bottom - 1.2F * pen.small()}, colours.dim, kWords);
+  const float width = layout.extent(kWords).x;
+  layout.text({x - width - 4 > layout.left ? x - width - 4 : x + 4, layout.bottom - 1.2F * layout.small()}, colours.dim,
+              kWords);
 }
 
-void ChartPlot::drawCostTicks(const Pen& pen) {
-  const auto [first, last] = decadesOf(pen.cost);
-  const int every = (pen.right - pen.left) / float(last - first) < 2.6F * pen.small() ? 2 : 1;
+void ChartPlot::drawCostTicks(const Layout& layout) {
+  const auto [first, last] = decadesOf(layout.cost);
+  const int every = (layout.right - layout.left) / float(last - first) < 2.6F * layout.small() ? 2 : 1;
   for (int decade = first; decade <= last; ++decade) {
-    const float x = pen.x(std::pow(10.0, decade));
-    pen.list.AddLine({x, pen.top}, {x, pen.bottom}, faded(pen.scope.colours.dim, 0.25F));
+    const float x = layout.x(std::pow(10.0, decade));
+    layout.list.AddLine({x, layout.top}, {x, layout.bottom}, faded(layout.scope.colours.dim, 0.25F));
     if ((decade - first) % every != 0) continue;
-    const Text text = decadeText(decade);
-    pen.text({x - 0.5F * pen.extent(text.data()).x, pen.bottom + 0.2F * pen.small()}, pen.scope.colours.dim,
-             text.data());
+    const std::string text = decadeText(decade);
+    layout.text({x - 0.5F * layout.extent(text.c_str()).x, layout.bottom + 0.2F * layout.small()},
+                layout.scope.colours.dim, text.c_str());
   }
 }
 
 /// Millimetres at the left, fractions of the size at the right.
-void ChartPlot::drawErrorTicks(const Pen& pen) {
-  const Colour ink = pen.scope.colours.dim;
-  const auto [first, last] = decadesOf(pen.error);
-  const float perDecade = (pen.bottom - pen.top - pen.strip()) / float(last - first);
-  const int every = std::max(1, int(std::ceil(1.4F * pen.small() / perDecade)));
+void ChartPlot::drawErrorTicks(const Layout& layout) {
+  const Colour ink = layout.scope.colours.dim;
+  const auto [first, last] = decadesOf(layout.error);
+  const float perDecade = (layout.bottom - layout.top - layout.strip()) / float(last - first);
+  const int every = std::max(1, int(std::ceil(1.4F * layout.small() / perDecade)));
   for (int decade = first; decade <= last; ++decade) {
-    const float y = pen.y(std::pow(10.0, decade));
-    pen.list.AddLine({pen.left, y}, {pen.right, y}, faded(ink, 0.25F));
+    const float y = layout.y(std::pow(10.0, decade));
+    layout.list.AddLine({layout.left, y}, {layout.right, y}, faded(ink, 0.25F));
     if ((decade - first) % every != 0) continue;
-    const Text text = decadeText(decade);
-    pen.text({pen.left - pen.extent(text.data()).x - 0.4F * pen.small(), y - 0.5F * pen.small()}, ink, text.data());
+    const std::string text = decadeText(decade);
+    layout.text({layout.left - layout.extent(text.c_str()).x - 0.4F * layout.small(), y - 0.5F * layout.small()}, ink,
+                text.c_str());
   }
-  const double size = 1e3 * pen.scale.size;  // mm
-  const auto lowest = int(std::ceil(std::log10(pen.error.low / size)));
-  for (int decade = lowest; size * std::pow(10.0, decade) <= pen.error.high; decade += every) {
-    const float y = pen.y(size * std::pow(10.0, decade));
-    const Text text = decadeText(decade);
-    pen.list.AddLine({pen.right, y}, {pen.right + 0.3F * pen.small(), y}, ink);
-    pen.text({pen.right + 0.5F * pen.small(), y - 0.5F * pen.small()}, ink, text.data());
+  const double size = 1e3 * layout.scale.size;  // mm
+  const auto lowest = int(std::ceil(std::log10(layout.error.low / size)));
+  for (int decade = lowest; size * std::pow(10.0, decade) <= layout.error.high; decade += every) {
+    const float y = layout.y(size * std::pow(10.0, decade));
+    const std::string text = decadeText(decade);
+    layout.list.AddLine({layout.right, y}, {layout.right + 0.3F * layout.small(), y}, ink);
+    layout.text({layout.right + 0.5F * layout.small(), y - 0.5F * layout.small()}, ink, text.c_str());
   }
 }
 
-void ChartPlot::drawCurves(const Pen& pen, const Contents& contents) const {
+void ChartPlot::drawCurves(const Layout& layout, const Contents& contents) const {
   const auto shareOf = [this](std::string_view method) {
     return emphasised_ == nullptr || emphasised_->name == method ? 1.0F : 0.2F;
   };
   // Of some methods alone it would be no frontier.
   const auto frontier = contents.allMethods ? frontierOf(contents.rows) : std::vector<const WorkRow*>();
   for (std::size_t k = 1; k < frontier.size(); ++k) {
-    pen.list.AddLine(pen.at(*frontier[k - 1]), pen.at(*frontier[k]), faded(pen.scope.colours.good, 0.4F),
-                     0.42F * pen.scope.size);
+    layout.list.AddLine(layout.at(*frontier[k - 1]), layout.at(*frontier[k]), faded(layout.scope.colours.good, 0.4F),
+                        0.42F * layout.scope.size);
   }
   const WorkRow* before = nullptr;
   for (const WorkRow& row : contents.rows) {
-    const MethodLook look = lookOfMethod(row.integrator);
-    const Colour colour = faded(pen.colour(look), shareOf(row.integrator));
+    const MethodStyle look = styleOfMethod(row.integrator);
+    const Colour colour = faded(layout.colour(look), shareOf(row.integrator));
     if (failed(row)) {
-      const ImVec2 at = pen.at(row);
-      const float arm = kMarkRadius * pen.scope.size;
-      pen.list.AddLine({at.x - arm, at.y - arm}, {at.x + arm, at.y + arm}, colour, 1.5F);
-      pen.list.AddLine({at.x - arm, at.y + arm}, {at.x + arm, at.y - arm}, colour, 1.5F);
+      const ImVec2 at = layout.at(row);
+      const float arm = kMarkRadius * layout.scope.size;
+      layout.list.AddLine({at.x - arm, at.y - arm}, {at.x + arm, at.y + arm}, colour, 1.5F);
+      layout.list.AddLine({at.x - arm, at.y + arm}, {at.x + arm, at.y - arm}, colour, 1.5F);
     }
     if (!shown(row)) continue;
     if (before != nullptr && before->integrator == row.integrator) {
-      drawLine(pen.list, pen.at(*before), pen.at(row), colour, 1.5F, look.dashed);
+      drawLine(layout.list, layout.at(*before), layout.at(row), colour, 1.5F, look.dashed);
     }
     before = &row;
-    drawMark(pen.list, look.mark, pen.at(row), kMarkRadius * pen.scope.size, colour);
+    drawMark(layout.list, look.mark, layout.at(row), kMarkRadius * layout.scope.size, colour);
   }
 }
 
-void ChartPlot::drawPresent(const Pen& pen, const Contents& contents, const SettingPlace& place) {
-  if (place.kind == SettingPlace::Kind::Unknown) return;
-  const bool fails = place.kind == SettingPlace::Kind::Fails;
-  const ImVec2 at{fails ? pen.right - pen.strip() : pen.x(contents.scale.cost(place.seconds)),
-                  fails ? pen.top + 0.5F * pen.strip() : pen.y(1e3 * place.error)};
-  const float radius = 0.5F * pen.scope.size;
-  const MethodLook look = lookOfMethod(contents.present.method->name);
-  pen.list.AddCircleFilled(at, radius, pen.scope.colours.text, 24);
-  pen.list.AddCircleFilled(at, 0.72F * radius, pen.colour(look), 24);
+void ChartPlot::drawPresent(const Layout& layout, const Contents& contents, const SettingEstimate& place) {
+  if (place.kind == SettingEstimate::Kind::Unknown) return;
+  const bool fails = place.kind == SettingEstimate::Kind::Fails;
+  const ImVec2 at{fails ? layout.right - layout.strip() : layout.x(contents.scale.cost(place.seconds)),
+                  fails ? layout.top + 0.5F * layout.strip() : layout.y(1e3 * place.error)};
+  const float radius = 0.5F * layout.scope.size;
+  const MethodStyle look = styleOfMethod(contents.present.method->name);
+  layout.list.AddCircleFilled(at, radius, layout.scope.colours.text, 24);
+  layout.list.AddCircleFilled(at, 0.72F * radius, layout.colour(look), 24);
   if (fails) {
     const float arm = 0.4F * radius;
-    pen.list.AddLine({at.x - arm, at.y - arm}, {at.x + arm, at.y + arm}, pen.scope.colours.text, 2);
-    pen.list.AddLine({at.x - arm, at.y + arm}, {at.x + arm, at.y - arm}, pen.scope.colours.text, 2);
+    layout.list.AddLine({at.x - arm, at.y - arm}, {at.x + arm, at.y + arm}, layout.scope.colours.text, 2);
+    layout.list.AddLine({at.x - arm, at.y + arm}, {at.x + arm, at.y - arm}, layout.scope.colours.text, 2);
   }
 }
 
-const WorkRow* ChartPlot::nearest(const Pen& pen, const Contents& contents) {
+const WorkRow* ChartPlot::nearest(const Layout& layout, const Contents& contents) {
   if (!ImGui::IsItemHovered()) return nullptr;
   const ImVec2 cursor = ImGui::GetMousePos();
   const WorkRow* found = nullptr;
-  float least = kReach * pen.scope.size;
+  float least = kReach * layout.scope.size;
   for (const WorkRow& row : contents.rows) {
     if (!shown(row) && !failed(row)) continue;
-    const ImVec2 at = pen.at(row);
+    const ImVec2 at = layout.at(row);
     const float away = std::hypot(at.x - cursor.x, at.y - cursor.y);
     if (away < least) least = away, found = &row;
   }
   return found;
 }
 
-void ChartPlot::readOut(const Pen& pen, const WorkRow& row) {
-  pen.list.AddCircle(pen.at(row), 0.45F * pen.scope.size, pen.scope.colours.text, 24, 2);
+void ChartPlot::readOut(const Layout& layout, const WorkRow& row) {
+  layout.list.AddCircle(layout.at(row), 0.45F * layout.scope.size, layout.scope.colours.text, 24, 2);
   ImGui::BeginTooltip();
   ImGui::TextUnformatted(row.integrator.c_str());
   ImGui::TextUnformatted(textOf(settingOf(row)).c_str());
   if (failed(row)) {
     ImGui::TextUnformatted(row.status == RowStatus::Unstable ? "became unstable" : "left the numbers");
   } else {
-    ImGui::Text("error %s", errorText(row.rmsError, pen.scale).c_str());
-    ImGui::TextUnformatted(costText(row.seconds, pen.scale).c_str());
+    ImGui::Text("error %s", errorText(row.rmsError, layout.scale).c_str());
+    ImGui::TextUnformatted(costText(row.seconds, layout.scale).c_str());
     ImGui::TextUnformatted("click to use it");
   }
   ImGui::EndTooltip();
@@ -303,7 +306,7 @@ void ChartPlot::legend(const PanelScope& scope, const Contents& contents) {
     const bool under = ImGui::IsWindowHovered() && cursor.x >= at.x && cursor.x < at.x + cell && cursor.y >= at.y &&
                        cursor.y < at.y + line;
     if (under) emphasised_ = &method;
-    const MethodLook look = lookOfMethod(method.name);
+    const MethodStyle look = styleOfMethod(method.name);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     drawMark(list, look.mark, {at.x + 0.6F * small, at.y + 0.55F * small}, 1.2F * kMarkRadius * scope.size,
              seriesColour(look.colour, scope.background));
@@ -317,25 +320,25 @@ void ChartPlot::legend(const PanelScope& scope, const Contents& contents) {
 }
 
 const WorkRow* ChartPlot::draw(const PanelScope& scope, const Contents& contents, float height) {
-  const SettingPlace place = placeOf(contents.rows, contents.present);
+  const SettingEstimate place = estimateOf(contents.rows, contents.present);
   chooseAxes(contents, place);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, small = kSmall * scope.size;
   ImGui::InvisibleButton("plot", {width, height});
-  Pen pen{*ImGui::GetWindowDrawList(), scope, contents.scale, cost_, error_};
-  const float numbers = std::max(pen.extent("1e-10").x, pen.extent("failed").x) + small;
-  pen.left = origin.x + numbers, pen.right = origin.x + width - numbers;
-  pen.top = origin.y + 1.5F * small, pen.bottom = origin.y + height - 2.8F * small;
-  drawGrid(pen);
-  pen.text({origin.x, origin.y}, scope.colours.text, "error, mm");
+  Layout layout{*ImGui::GetWindowDrawList(), scope, contents.scale, cost_, error_};
+  const float numbers = std::max(layout.extent("1e-10").x, layout.extent("failed").x) + small;
+  layout.left = origin.x + numbers, layout.right = origin.x + width - numbers;
+  layout.top = origin.y + 1.5F * small, layout.bottom = origin.y + height - 2.8F * small;
+  drawGrid(layout);
+  layout.text({origin.x, origin.y}, scope.colours.text, "error, mm");
   constexpr const char *kRight = "of the sheet's size", *kBelow = "ms of computing per simulated second";
-  pen.text({origin.x + width - pen.extent(kRight).x, origin.y}, scope.colours.text, kRight);
-  pen.text({0.5F * (pen.left + pen.right - pen.extent(kBelow).x), pen.bottom + 1.5F * small}, scope.colours.text,
-           kBelow);
-  const WorkRow* under = nearest(pen, contents);
-  drawCurves(pen, contents);
-  drawPresent(pen, contents, place);
-  if (under != nullptr) readOut(pen, *under);
+  layout.text({origin.x + width - layout.extent(kRight).x, origin.y}, scope.colours.text, kRight);
+  layout.text({0.5F * (layout.left + layout.right - layout.extent(kBelow).x), layout.bottom + 1.5F * small},
+              scope.colours.text, kBelow);
+  const WorkRow* under = nearest(layout, contents);
+  drawCurves(layout, contents);
+  drawPresent(layout, contents, place);
+  if (under != nullptr) readOut(layout, *under);
   legend(scope, contents);
   return under;
 }

@@ -26,16 +26,16 @@ class ChartPlot {
   const WorkRow* draw(const PanelScope& scope, const Contents& contents, float height);
 
  private:
-  struct Pen;
-  void chooseAxes(const Contents& contents, const SettingPlace& place);
+  struct Layout;
+  void chooseAxes(const Contents& contents, const SettingEstimate& place);
   void legend(const PanelScope& scope, const Contents& contents);
-  [[nodiscard]] static const WorkRow* nearest(const Pen& pen, const Contents& contents);
-  static void drawGrid(const Pen& pen);
-  static void drawCostTicks(const Pen& pen);
-  static void drawErrorTicks(const Pen& pen);
-  void drawCurves(const Pen& pen, const Contents& contents) const;
-  static void drawPresent(const Pen& pen, const Contents& contents, const SettingPlace& place);
-  static void readOut(const Pen& pen, const WorkRow& row);
+  [[nodiscard]] static const WorkRow* nearest(const Layout& layout, const Contents& contents);
+  static void drawGrid(const Layout& layout);
+  static void drawCostTicks(const Layout& layout);
+  static void drawErrorTicks(const Layout& layout);
+  void drawCurves(const Layout& layout, const Contents& contents) const;
+  static void drawPresent(const Layout& layout, const Contents& contents, const SettingEstimate& place);
+  static void readOut(const Layout& layout, const WorkRow& row);
 
   LogAxis cost_{1, 100}, error_{1e-6, 1};  ///< ms per simulated second; mm
   const Method* emphasised_ = nullptr;     ///< its name in the legend is under the cursor

@@ -1,11 +1,11 @@
-// See colour_bar.h.
+// Draws the ramp piece by piece between its stops, and its numbers below it.
 #include "ui/panels/colour_bar.h"
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace tyg {
 namespace {
@@ -26,11 +26,10 @@ void colourBar(const PanelScope& scope, Ramp ramp, double low, double high, cons
                                  right, right, left);
   }
   for (const int k : {0, 1, 2}) {
-    std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), "%.3g %s", low + 0.5 * k * (high - low), k == 1 ? "" : unit);
-    const float extent = ImGui::GetFont()->CalcTextSizeA(small, 1e6F, 0, text.data()).x;
+    const std::string text = fmt::format("{:.3g} {}", low + 0.5 * k * (high - low), k == 1 ? "" : unit);
+    const float extent = ImGui::GetFont()->CalcTextSizeA(small, 1e6F, 0, text.c_str()).x;
     list.AddText(ImGui::GetFont(), small, {at.x + 0.5F * float(k) * (width - extent), at.y + 1.15F * thick},
-                 scope.colours.dim, text.data());
+                 scope.colours.dim, text.c_str());
   }
   ImGui::Dummy({width, std::ceil(1.15F * thick + 1.1F * small)});  // ImGui's windows fit whole pixels
 }

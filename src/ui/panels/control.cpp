@@ -18,6 +18,7 @@
 #include "tyg/methods.h"
 #include "ui/overlay.h"
 #include "viewer/edits.h"
+#include "viewer/tools/push_tool.h"
 #include "viewer/viewer.h"
 
 namespace tyg {
@@ -60,7 +61,7 @@ class ControlPanel final : public Panel {
  public:
   void draw(const PanelScope& scope) override {
     Viewer& viewer = scope.viewer;
-    Scene wanted = draft_.value_or(viewer.scene());
+    Scene wanted = draft_.value_or(viewer.scenes().scene());
     drawScene(scope, wanted);
     drawEdits(scope, wanted);
     heading("Motion", "changes at once");
@@ -71,19 +72,19 @@ class ControlPanel final : public Panel {
     drawSheet(scope, wanted);
     take(viewer, wanted);
     // After a start anew, which forgets notes.
-    if (!draft_ && !clamped_.empty()) viewer.note(std::exchange(clamped_, {}));
+    if (!draft_ && !clamped_.empty()) viewer.notes().say(std::exchange(clamped_, {}));
   }
 
  private:
   void take(Viewer& viewer, const Scene& wanted) {
-    const SceneChange change = changeBetween(viewer.scene(), wanted);
+    const SceneChange change = changeBetween(viewer.scenes().scene(), wanted);
     draft_.reset();
     if (change == SceneChange::None) return;
     if (change != SceneChange::Live && ImGui::IsAnyItemActive()) {
       draft_ = wanted;
       return;
     }
-    viewer.use(wanted);
+    viewer.scenes().use(wanted);
   }
 
   static void drawScene(const PanelScope& scope, Scene& wanted) {
@@ -122,7 +123,7 @@ class ControlPanel final : public Panel {
   /// Along the slider's foot: green up to nine tenths of the limit, amber up to it, hatched beyond; it ends where the
   /// slider's step is the limit.
   static void drawStepMargin(const PanelScope& scope) {
-    const Margin& margin = scope.viewer.margin();
+    const Margin& margin = scope.viewer.run().margin();
     if (margin.band() == MarginBand::None || !(margin.limit > 0)) return;
     const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
     const float grab = 0.5F * ImGui::GetStyle().GrabMinSize + 2;
@@ -163,9 +164,10 @@ class ControlPanel final : public Panel {
 
   static void drawPush(const PanelScope& scope) {
     name("push", scope.size);
-    const double usual = scope.viewer.pushNewtons() / scope.viewer.pushFactor();
-    double factor = scope.viewer.pushFactor();
-    if (slider("##push", factor, usual, {0.01 * usual, 100 * usual}, "%.3g N")) scope.viewer.setPushFactor(factor);
+    const double usual = usualPush(scope.viewer.run().simulation().sheet());
+    double factor = scope.viewer.tools().strength();
+    if (slider("##push", factor, usual, {0.01 * usual, 100 * usual}, "%.3g N"))
+      scope.viewer.tools().setStrength(factor);
   }
 
   void drawSheet(const PanelScope& scope, Scene& wanted) {
@@ -200,7 +202,7 @@ class ControlPanel final : public Panel {
     try {
       wanted = withSheet(wanted, size_[0], size_[1]);
     } catch (const InputError& error) {
-      viewer.warn(error.what());
+      viewer.notes().warn(error.what());
     }
   }
 
@@ -274,16 +276,16 @@ class ControlPanel final : public Panel {
     if (button("Undo", "Ctrl+Z", scope.edits.canUndo())) scope.edits.undo(viewer);
     if (button("Redo", "Ctrl+Y or Ctrl+Shift+Z", scope.edits.canRedo())) scope.edits.redo(viewer);
     if (button("Reset", "as it was opened", scope.edits.canReset(viewer))) scope.edits.reset(viewer);
-    if (edited) wanted = viewer.scene();
+    if (edited) wanted = viewer.scenes().scene();
     if (button("Save .toml", "into the folder that tyg was started in", true)) save(viewer);
     ImGui::NewLine();
   }
 
   static void save(Viewer& viewer) {
     try {
-      viewer.note(saveScene(viewer).string() + " is kept.");
+      viewer.notes().say(saveScene(viewer).string() + " is kept.");
     } catch (const std::exception& error) {
-      viewer.warn(error.what());
+      viewer.notes().warn(error.what());
     }
   }
 

@@ -1,6 +1,8 @@
-// See energy.h. While it is open the simulation follows what is dissipated, which changes no bit of the motion.
+// Samples the ledger once a frame. While it is open the simulation follows what is dissipated, which changes no bit of
+// the motion.
 #include "ui/panels/energy.h"
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -12,7 +14,6 @@
 
 #include "ui/panels/paragraph.h"
 #include "ui/panels/running_plot.h"
-#include "util/text.h"
 #include "viewer/power_flow.h"
 #include "viewer/viewer.h"
 
@@ -26,12 +27,12 @@ constexpr std::array<const char*, 5> kNames{"kinetic", "elastic", "gravitational
 class EnergyPanel final : public Panel {
  public:
   void follow(Viewer& viewer) override {
-    if (viewer_ == nullptr) viewer.followLedger(true);
+    if (viewer_ == nullptr) viewer.scenes().followLedger(true);
     viewer_ = &viewer;
-    const double time = viewer.simulation().time(), newest = viewer.timeline().newest;
+    const double time = viewer.run().simulation().time(), newest = viewer.run().timeline().newest;
     series_.cut(newest);
-    if (viewer.simulation().status() != Status::Ok || viewer.seeking()) return;
-    ledger_ = viewer.ledger();
+    if (viewer.run().simulation().status() != Status::Ok || viewer.run().seeking()) return;
+    ledger_ = viewer.run().ledger();
     if (newest < since_) since_ = time, before_ = ledger_.dissipated;
     ledger_.dissipated -= before_;
     const std::array<float, kChannels> values{float(ledger_.kinetic),       float(ledger_.elastic),
@@ -41,7 +42,7 @@ class EnergyPanel final : public Panel {
   }
 
   void close() override {
-    if (viewer_ != nullptr) viewer_->followLedger(false);
+    if (viewer_ != nullptr) viewer_->scenes().followLedger(false);
     viewer_ = nullptr;
     series_.clear();
     since_ = kNever;
@@ -58,7 +59,7 @@ class EnergyPanel final : public Panel {
     runningPlot(scope, {"drift of their sum", "% of the largest energy", kDriftHeight * scope.size, kLeastDrift},
                 series_, drift);
     if (since_ == kNever) return paragraph("Nothing is counted while the cloth has failed.", scope.colours.dim);
-    if (since_ > 0) paragraph(formatted("Dissipation and drift count from %.2f s.", since_), scope.colours.dim);
+    if (since_ > 0) paragraph(fmt::format("Dissipation and drift count from {:.2f} s.", since_), scope.colours.dim);
     bonds(scope);
   }
 
@@ -68,13 +69,13 @@ class EnergyPanel final : public Panel {
   static constexpr double kLeastDrift = 1e-9;   ///< %: below it is rounding
   static constexpr double kPowerSeconds = 0.2;  ///< long enough to read, short enough to see a push
 
-  /// As the cloth stands before anything was counted: what is dissipated and the drift are not known there.
-  [[nodiscard]] bool counted(const PanelScope& scope) const { return scope.viewer.time() >= since_; }
+  /// What is dissipated and the drift are known only for a cloth that is shown at a time when they were counted.
+  [[nodiscard]] bool counted(const PanelScope& scope) const { return scope.viewer.run().shown().time() >= since_; }
 
-  /// At the moment shown; nothing where no sample tells it.
+  /// At the time that is shown; nothing where no sample tells it.
   [[nodiscard]] std::optional<PowerFlow> flow(const PanelScope& scope) const {
     if (series_.size() < 2 || !counted(scope)) return {};
-    const std::size_t now = series_.at(scope.viewer.time());
+    const std::size_t now = series_.at(scope.viewer.run().shown().time());
     const std::size_t before =
         std::min(series_.at(series_.time(now) - kPowerSeconds), now - std::min<std::size_t>(now, 1));
     const double seconds = series_.time(now) - series_.time(before);
@@ -145,7 +146,7 @@ class EnergyPanel final : public Panel {
 
   struct Power {
     double watts = 0;
-    bool above = false;  ///< where its number stands
+    bool above = false;  ///< the bond: that is where its number is written
     bool known = true;
   };
   /// A line as wide as the power is great, with its head where the power goes and its number at the middle.
@@ -165,7 +166,7 @@ class EnergyPanel final : public Panel {
                              {middle.x - head * (way.x - way.y) / 2, middle.y - head * (way.y + way.x) / 2},
                              {middle.x - head * (way.x + way.y) / 2, middle.y - head * (way.y - way.x) / 2}, colour);
     }
-    const std::string text = power.known ? formatted("%.2g W", std::abs(watts)) : "- W";
+    const std::string text = power.known ? fmt::format("{:.2g} W", std::abs(watts)) : "- W";
     const float small = 0.85F * scope.size;
     const float extent = ImGui::GetFont()->CalcTextSizeA(small, 1e6F, 0, text.c_str()).x;
     list.AddText(ImGui::GetFont(), small,

@@ -1,4 +1,4 @@
-// See gallery.h.
+// A table of tiles, each one button with the picture and the words of a scene.
 #include "ui/panels/gallery.h"
 
 #include <imgui.h>
@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "ui/panels/scene_pictures.h"
-#include "ui/wrapped.h"
+#include "util/wrapped.h"
 #include "viewer/viewer.h"
 
 namespace tyg {
@@ -19,7 +19,7 @@ constexpr float kTile = 10;                 // narrowest tile, in sizes of the t
 constexpr double kWorkSeconds = 0.004;      // a frame, for pictures
 constexpr float kSmall = 0.85F;             // of the text, for what a scene shows
 
-/// Scenes that are there to fail stand apart.
+/// Scenes that are meant to fail come in a group of their own.
 bool isFailure(const ScenePictures::Entry& entry) { return entry.scene.name.starts_with("fail-"); }
 
 /// A text below a picture, in as many lines as it takes.
@@ -45,7 +45,7 @@ class GalleryPanel final : public Panel {
  public:
   void follow(Viewer& viewer) override {
     pictures_.work(
-        kWorkSeconds, [&viewer] { return viewer.now(); }, viewer.drawOptions().background);
+        kWorkSeconds, [&viewer] { return viewer.run().now(); }, viewer.view().drawOptions().background);
   }
   [[nodiscard]] bool busy() const override { return !pictures_.finished(); }
 
@@ -93,14 +93,14 @@ class GalleryPanel final : public Panel {
       list.AddText(ImGui::GetFont(), scope.size, {at.x + line, at.y + line}, scope.colours.dim, said, nullptr,
                    width - 2 * line);
     }
-    const bool current = scope.viewer.scene().name == entry.scene.name;
+    const bool current = scope.viewer.scenes().scene().name == entry.scene.name;
     if (ImGui::IsItemHovered() || current) {
       list.AddRect(at, corner, faded(scope.colours.accent, current ? 1 : 0.6F), 0.3F * scope.size, 0, 2);
     }
     const float below = corner.y + 0.2F * line;
     title.draw(list, {at.x, below}, current ? scope.colours.accent : scope.colours.text);
     shows.draw(list, {at.x, below + title.height() + 0.05F * line}, scope.colours.dim);
-    if (chosen) scope.viewer.use(entry.scene);
+    if (chosen) scope.viewer.scenes().use(entry.scene);
   }
 
   ScenePictures pictures_{kWidth, kHeight};

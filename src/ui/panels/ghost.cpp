@@ -1,4 +1,4 @@
-// See ghost.h.
+// Runs the second cloth in what is left of each frame, and hands it to the picture.
 #include "ui/panels/ghost.h"
 
 #include <imgui.h>
@@ -33,19 +33,21 @@ double secondsFor(const Viewer& viewer) {
 class GhostPanel final : public Panel {
  public:
   void follow(Viewer& viewer) override {
-    const Simulation& live = viewer.simulation();
+    const Simulation& live = viewer.run().simulation();
     // Past its alarm the simulation is not what the window shows.
-    const ShownMoment shown{.ticks = viewer.shownTick(), .time = viewer.time(), .positions = viewer.positions()};
+    const ShownMoment shown{.ticks = viewer.run().shown().tick(),
+                            .time = viewer.run().shown().time(),
+                            .positions = viewer.run().shown().positions()};
     const bool failed = live.status() != Status::Ok && shown.ticks <= live.ticks();
     try {
       if (!ghost_) ghost_.emplace(live, second_);
       ghost_->follow(
-          live, secondsFor(viewer), [&viewer] { return viewer.now(); }, failed ? &shown : nullptr);
-      inStep_ = std::abs(ghost_->time() - viewer.time()) <= kNearlyInStep;
+          live, secondsFor(viewer), [&viewer] { return viewer.run().now(); }, failed ? &shown : nullptr);
+      inStep_ = std::abs(ghost_->time() - viewer.run().shown().time()) <= kNearlyInStep;
       away_ = kBeside * static_cast<float>(live.sheet().size());
       if (beside_) shift(viewer);
     } catch (const std::exception& refusal) {  // a method that does not take this scene
-      viewer.warn(refusal.what());
+      viewer.notes().warn(refusal.what());
       ghost_.reset();
       second_ = nullptr;
     }
@@ -89,7 +91,7 @@ class GhostPanel final : public Panel {
  private:
   /// To the left, as the camera sees it.
   void shift(const Viewer& viewer) {
-    const glm::vec3 way = -away_ * viewer.camera().right();
+    const glm::vec3 way = -away_ * viewer.view().camera().right();
     const std::span<const float> from = ghost_->positions();
     shifted_.resize(from.size());
     for (std::size_t i = 0; i < from.size(); ++i) shifted_[i] = from[i] + way[static_cast<int>(i % 3)];
@@ -109,11 +111,11 @@ class GhostPanel final : public Panel {
   /// From the start, as the ghost: a cloth that changed its method on the way would be the ghost up to there.
   void swap(Viewer& viewer) {
     if (!ImGui::Button("swap the two and restart")) return;
-    const Method& cloths = viewer.method();
-    const bool running = viewer.state() == RunState::Running;
-    Scene wanted = viewer.scene();
+    const Method& cloths = viewer.scenes().method();
+    const bool running = viewer.run().state() == RunState::Running;
+    Scene wanted = viewer.scenes().scene();
     wanted.integrator = second_->name;
-    if (second_ != &cloths && viewer.use(wanted) == SceneChange::None) return;
+    if (second_ != &cloths && viewer.scenes().use(wanted) == SceneChange::None) return;
     use(&cloths);
     viewer.perform(InputAction::Restart);
     if (running) viewer.perform(InputAction::StartOrPause);
@@ -126,7 +128,7 @@ class GhostPanel final : public Panel {
 
   void sides(const PanelScope& scope) const {
     const std::string ghost(second_ == nullptr ? "the true motion" : second_->name);
-    paragraph("left: ghost, " + ghost + "; right: the cloth, " + std::string(scope.viewer.method().name),
+    paragraph("left: ghost, " + ghost + "; right: the cloth, " + std::string(scope.viewer.scenes().method().name),
               scope.colours.dim);
   }
   [[nodiscard]] bool colours() const { return coloured_ && inStep_ && ghost_->gap(); }

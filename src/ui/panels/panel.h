@@ -43,7 +43,7 @@ class Panel {
   Panel& operator=(const Panel&) = delete;
 
   /// Its widgets, once a frame while it is open, between ImGui's Begin and End. Throws nothing: what goes
-  /// wrong is said by Viewer::warn.
+  /// wrong is said by Notes::warn.
   virtual void draw(const PanelScope& scope) = 0;
   /// A press of the mouse outside of all panels while it is open: true where it was meant for this one.
   virtual bool handle(const WindowEvent& /*event*/, Viewer& /*viewer*/) { return false; }
@@ -59,7 +59,7 @@ class Panel {
   [[nodiscard]] virtual bool busy() const { return false; }
 };
 
-enum class Edge { Left, Right };  ///< of the window, where a panel stands until somebody drags it away
+enum class Edge { Left, Right };  ///< of the window, where a panel is until somebody drags it away
 
 /// A line of the table of panels.
 struct PanelKind {
@@ -70,7 +70,7 @@ struct PanelKind {
   float height;  ///< in text sizes; 0: as high as its contents
   std::unique_ptr<Panel> (*make)();
 };
-/// Every panel, in the order in which they stand below each other.
+/// Every panel, in the order in which they are placed below each other.
 std::span<const PanelKind> panelTable();
 
 }  // namespace tyg

@@ -1,4 +1,5 @@
-// Opening, closing and placing panels; see panels.h.
+// Opens, closes and places panels. A panel at an edge of the window has a slot of its own there, in the order of the
+// table.
 #include "ui/panels/panels.h"
 
 #include <imgui.h>
@@ -10,7 +11,7 @@
 namespace tyg {
 namespace {
 
-/// Of the window's width, at most, for a panel that stands at an edge: the cloth keeps the middle.
+/// Of the window's width, at most, for a panel at an edge: the cloth keeps the middle.
 constexpr float kWidestShare = 0.46F;
 constexpr float kNarrowest = 8;  ///< text sizes, in whatever window: ImGui takes no widget without a size
 /// From the window's edges, in text sizes: the title is above.
@@ -20,7 +21,7 @@ constexpr float kLeeway = 2;
 constexpr double kTipFrom = 0.25, kTipUntil = 4;  ///< s of the mouse's rest, in which tooltips show
 constexpr float kLowest = 6;  ///< a panel is at least this high before it gets a scroll bar, in text sizes
 
-std::size_t placeOf(InputAction action) {
+std::size_t slotOf(InputAction action) {
   const auto table = panelTable();
   return static_cast<std::size_t>(std::ranges::find(table, action, &PanelKind::action) - table.begin());
 }
@@ -37,8 +38,8 @@ bool Panels::covers(double x, double y) const {
   const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
   x /= std::max(scale.x, 0.01F), y /= std::max(scale.y, 0.01F);
   return std::ranges::any_of(order_, [&](std::size_t which) {
-    const Place& place = places_[which];
-    return x >= place.shownX && x < place.shownX + place.width && y >= place.shownY && y < place.shownY + place.height;
+    const Slot& slot = slots_[which];
+    return x >= slot.shownX && x < slot.shownX + slot.width && y >= slot.shownY && y < slot.shownY + slot.height;
   });
 }
 
@@ -51,7 +52,7 @@ bool Panels::takesMouse(const WindowEvent& event) const {
 bool Panels::handle(const WindowEvent& event, Viewer& viewer) {
   if (event.kind != WindowEvent::Kind::Press) return false;
   if (isMouse(event.key)) {
-    const auto takes = [&](std::size_t which) { return places_[which].panel->handle(event, viewer); };
+    const auto takes = [&](std::size_t which) { return slots_[which].panel->handle(event, viewer); };
     return takesMouse(event) || std::ranges::any_of(order_, takes);
   }
   if (event.control) {
@@ -63,7 +64,7 @@ bool Panels::handle(const WindowEvent& event, Viewer& viewer) {
     return true;
   }
   const Input* input = findInput(event.key);
-  if (input == nullptr || placeOf(input->action) == places_.size()) return false;
+  if (input == nullptr || slotOf(input->action) == slots_.size()) return false;
   toggle(input->action);
   return true;
 }
@@ -78,37 +79,37 @@ void Panels::handleControl(const WindowEvent& event, Viewer& viewer) {
 }
 
 void Panels::toggle(InputAction action) {
-  const std::size_t which = placeOf(action);
-  if (which < places_.size()) setOpen(which, !places_[which].open);
+  const std::size_t which = slotOf(action);
+  if (which < slots_.size()) setOpen(which, !slots_[which].open);
 }
 
 bool Panels::isOpen(InputAction action) const {
-  const std::size_t which = placeOf(action);
-  return which < places_.size() && places_[which].open;
+  const std::size_t which = slotOf(action);
+  return which < slots_.size() && slots_[which].open;
 }
 
 void Panels::setOpen(std::size_t which, bool open) {
-  Place& place = places_[which];
-  if (place.open == open) return;
-  if (!place.panel) place.panel = panelTable()[which].make();
-  place.open = open;
+  Slot& slot = slots_[which];
+  if (slot.open == open) return;
+  if (!slot.panel) slot.panel = panelTable()[which].make();
+  slot.open = open;
   std::erase(order_, which);
   if (open) {
     order_.push_back(which);
   } else {
-    place.panel->close();
+    slot.panel->close();
   }
 }
 
 void Panels::closeLast() { setOpen(order_.back(), false); }
 
 void Panels::follow(Viewer& viewer) {
-  for (const std::size_t which : order_) places_[which].panel->follow(viewer);
+  for (const std::size_t which : order_) slots_[which].panel->follow(viewer);
   if (!ImGui::IsAnyItemActive()) edits_.follow(viewer);
 }
 
 void Panels::paint(ClothPicture& picture) {
-  for (const std::size_t which : order_) places_[which].panel->paint(picture);
+  for (const std::size_t which : order_) slots_[which].panel->paint(picture);
   colouredBy_ = picture.options.colouring.by;
 }
 
@@ -120,36 +121,36 @@ float Panels::textSize(const PanelKind& kind) const {
 
 float Panels::widthOf(const PanelKind& kind) const { return std::round(kind.width * textSize(kind)); }
 
-bool Panels::stands(std::size_t which, Edge edge) const {
-  return places_[which].open && !places_[which].dragged && panelTable()[which].edge == edge;
+bool Panels::isAtEdge(std::size_t which, Edge edge) const {
+  return slots_[which].open && !slots_[which].dragged && panelTable()[which].edge == edge;
 }
 
 float Panels::width(Edge edge) const {
   float widest = 0;
   for (const std::size_t which : order_) {
     const PanelKind& kind = panelTable()[which];
-    if (kind.edge == edge && !places_[which].dragged) widest = std::max(widest, widthOf(kind) + 2 * kSide * size_);
+    if (kind.edge == edge && !slots_[which].dragged) widest = std::max(widest, widthOf(kind) + 2 * kSide * size_);
   }
   return widest;
 }
 
 float Panels::beside() const {
   float farthest = 0;
-  for (const std::size_t which : order_) farthest = std::max(farthest, places_[which].panel->beside());
+  for (const std::size_t which : order_) farthest = std::max(farthest, slots_[which].panel->beside());
   return farthest;
 }
 
 bool Panels::busy() const {
   // A tooltip comes and goes by itself.
   if (ImGui::GetIO().WantCaptureMouse && ImGui::GetTime() < rested_ + kTipUntil + 0.1) return true;
-  return std::ranges::any_of(order_, [this](std::size_t which) { return places_[which].panel->busy(); });
+  return std::ranges::any_of(order_, [this](std::size_t which) { return slots_[which].panel->busy(); });
 }
 
 void Panels::draw(Viewer& viewer) {
   watchMouse();
   arrange(Edge::Left), arrange(Edge::Right);
-  for (std::size_t which = 0; which < places_.size(); ++which) {
-    if (places_[which].open) drawOne(which, viewer);
+  for (std::size_t which = 0; which < slots_.size(); ++which) {
+    if (slots_[which].open) drawOne(which, viewer);
   }
 }
 
@@ -165,60 +166,60 @@ void Panels::arrange(Edge edge) {
   const float height = std::min(floor_, ImGui::GetIO().DisplaySize.y) - top;
   float spare = height + between;
   for (const std::size_t which : order_) {
-    if (stands(which, edge)) spare -= places_[which].title + between;
+    if (isAtEdge(which, edge)) spare -= slots_[which].title + between;
   }
   bool newest = true;
   for (std::size_t k = order_.size(); k-- > 0;) {
-    Place& place = places_[order_[k]];
-    if (!stands(order_[k], edge)) continue;
-    const float more = std::max(0.0F, place.natural - place.title);
-    place.folded = !newest && more + (place.folded ? kLeeway * size_ : 0) > spare;
-    if (!place.folded) spare -= more;
+    Slot& slot = slots_[order_[k]];
+    if (!isAtEdge(order_[k], edge)) continue;
+    const float more = std::max(0.0F, slot.natural - slot.title);
+    slot.folded = !newest && more + (slot.folded ? kLeeway * size_ : 0) > spare;
+    if (!slot.folded) spare -= more;
     newest = false;
   }
   float y = top;
-  for (std::size_t which = 0; which < places_.size(); ++which) {
-    Place& place = places_[which];
-    if (place.dragged) place.folded = false, place.room = height;
-    if (!stands(which, edge)) continue;
-    place.top = y;
-    place.room = std::max(std::max(place.natural, place.title) + spare, kLowest * size_);
-    y += (place.folded ? place.title : std::min(std::max(place.natural, place.title), place.room)) + between;
+  for (std::size_t which = 0; which < slots_.size(); ++which) {
+    Slot& slot = slots_[which];
+    if (slot.dragged) slot.folded = false, slot.room = height;
+    if (!isAtEdge(which, edge)) continue;
+    slot.top = y;
+    slot.room = std::max(std::max(slot.natural, slot.title) + spare, kLowest * size_);
+    y += (slot.folded ? slot.title : std::min(std::max(slot.natural, slot.title), slot.room)) + between;
   }
 }
 
 /// Where ImGui is to put the panel that begins next, and how large it may be.
 void Panels::placeNext(std::size_t which) {
   const PanelKind& kind = panelTable()[which];
-  Place& place = places_[which];
+  Slot& slot = slots_[which];
   const float width = widthOf(kind), side = kSide * size_;
   const float x = std::round(kind.edge == Edge::Left ? side : ImGui::GetIO().DisplaySize.x - width - side);
-  // Only where its place has changed: ImGui moves a window that is being dragged before this.
-  if (!place.dragged && (x != place.x || std::round(place.top) != place.y)) {
-    place.x = x, place.y = std::round(place.top);
-    ImGui::SetNextWindowPos({place.x, place.y});
+  // Only where its position has changed: ImGui moves a window that is being dragged before this.
+  if (!slot.dragged && (x != slot.x || std::round(slot.top) != slot.y)) {
+    slot.x = x, slot.y = std::round(slot.top);
+    ImGui::SetNextWindowPos({slot.x, slot.y});
   }
-  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, place.room});
-  if (kind.height > 0) ImGui::SetNextWindowSize({width, std::min(kind.height * textSize(kind), place.room)});
-  if (place.folded) ImGui::SetNextWindowCollapsed(true);
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, slot.room});
+  if (kind.height > 0) ImGui::SetNextWindowSize({width, std::min(kind.height * textSize(kind), slot.room)});
+  if (slot.folded) ImGui::SetNextWindowCollapsed(true);
 }
 
 /// The panel that has just been drawn.
 void Panels::measure(std::size_t which) {
   const PanelKind& kind = panelTable()[which];
-  Place& place = places_[which];
+  Slot& slot = slots_[which];
   const ImVec2 at = ImGui::GetWindowPos();
-  place.shownX = at.x, place.shownY = at.y;
-  place.width = ImGui::GetWindowWidth(), place.height = ImGui::GetWindowHeight();
-  place.title = ImGui::GetFrameHeight();
-  if (place.folded) return;
-  place.natural = kind.height > 0 ? kind.height * textSize(kind) : place.height + ImGui::GetScrollMaxY();
+  slot.shownX = at.x, slot.shownY = at.y;
+  slot.width = ImGui::GetWindowWidth(), slot.height = ImGui::GetWindowHeight();
+  slot.title = ImGui::GetFrameHeight();
+  if (slot.folded) return;
+  slot.natural = kind.height > 0 ? kind.height * textSize(kind) : slot.height + ImGui::GetScrollMaxY();
 }
 
 void Panels::drawOne(std::size_t which, Viewer& viewer) {
   const PanelKind& kind = panelTable()[which];
-  Place& place = places_[which];
-  const Background background = viewer.drawOptions().background;
+  Slot& slot = slots_[which];
+  const Background background = viewer.view().drawOptions().background;
   const float size = textSize(kind);
   const double rest = ImGui::GetTime() - rested_;
   const bool tips = rest > kTipFrom && rest < kTipUntil;
@@ -227,22 +228,22 @@ void Panels::drawOne(std::size_t which, Viewer& viewer) {
   bool open = true;
   // Tab goes through the fields while something is typed; else it is the key of a panel.
   const int flags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
-                    (place.folded ? 0 : ImGuiWindowFlags_NoCollapse) |
+                    (slot.folded ? 0 : ImGuiWindowFlags_NoCollapse) |
                     (ImGui::GetIO().WantTextInput ? 0 : ImGuiWindowFlags_NoNav) |
                     (kind.height > 0 ? 0 : ImGuiWindowFlags_AlwaysAutoResize);
   const std::string title(kind.title);
   ImGui::Begin(title.c_str(), &open, flags);
   const bool onTitle = ImGui::IsItemHovered();
   ImGui::SetWindowFontScale(size / size_);
-  if (!place.folded) place.panel->draw({viewer, edits_, coloursOn(background), background, size, tips, colouredBy_});
-  if (place.folded && onTitle && tips) ImGui::SetTooltip("a click unfolds it");
+  if (!slot.folded) slot.panel->draw({viewer, edits_, coloursOn(background), background, size, tips, colouredBy_});
+  if (slot.folded && onTitle && tips) ImGui::SetTooltip("a click unfolds it");
   measure(which);
-  // ImGui itself moves a panel that would stand outside of a small window.
+  // ImGui itself moves a panel that would be outside of a small window.
   const bool byHand = ImGui::IsWindowFocused() && ImGui::IsMouseDragging(ImGuiMouseButton_Left);
   ImGui::End();
-  if (byHand && std::max(std::abs(place.shownX - place.x), std::abs(place.shownY - place.y)) > 1) place.dragged = true;
+  if (byHand && std::max(std::abs(slot.shownX - slot.x), std::abs(slot.shownY - slot.y)) > 1) slot.dragged = true;
   if (!open) return setOpen(which, false);
-  if (place.folded && onTitle && clicked()) std::erase(order_, which), order_.push_back(which);
+  if (slot.folded && onTitle && clicked()) std::erase(order_, which), order_.push_back(which);
 }
 
 }  // namespace tyg

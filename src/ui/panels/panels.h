@@ -1,4 +1,4 @@
-// The panels that are open: opens and closes them by key, x and Esc, and stands them along the window's edges, where
+// The panels that are open: opens and closes them by key, x and Esc, and places them along the window's edges, where
 // they cover the keys and not the cloth. Must not know: what any panel shows, window libraries.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace tyg {
 class Panels {
  public:
   /// `size`: of the text, pixels. An ImGui context exists as long as this lives.
-  Panels(float size, const Viewer& viewer) : size_(size), edits_(viewer), places_(panelTable().size()) {}
+  Panels(float size, const Viewer& viewer) : size_(size), edits_(viewer), slots_(panelTable().size()) {}
 
   /// What the person did, but for keys that go to a text field. A press of the mouse on a panel is ImGui's; a panel's
   /// key opens or closes it, Esc closes the one opened last, Ctrl+Z undoes the last change of the scene, Ctrl+Y and
@@ -29,23 +29,23 @@ class Panels {
   void paint(ClothPicture& picture);
   /// Panels end above this height, pixels from the top of the window.
   void endAbove(float y) { floor_ = y; }
-  /// All open panels, between ImGui::NewFrame and ImGui::Render. Where an edge is too low for all that stand at it,
+  /// All open panels, between ImGui::NewFrame and ImGui::Render. Where an edge is too low for all panels at it,
   /// those opened longest ago are folded to their titles; a click on a title makes it the one opened last.
   void draw(Viewer& viewer);
 
-  /// Pixels that panels standing at this edge take of the window's width; 0 where there are none.
+  /// Pixels that panels at this edge take of the window's width; 0 where there are none.
   [[nodiscard]] float width(Edge edge) const;
-  /// Margins::beside.
+  /// Insets::beside.
   [[nodiscard]] float beside() const;
   [[nodiscard]] bool busy() const;
 
  private:
-  struct Place {
+  struct Slot {
     std::unique_ptr<Panel> panel;  ///< null until it is first opened
     bool open = false;
-    bool dragged = false;                                 ///< stands where somebody put it
+    bool dragged = false;                                 ///< is where somebody put it
     bool folded = false;                                  ///< only its title is shown
-    float top = 0, room = 0;                              ///< where it may stand, and how high it may be there
+    float top = 0, room = 0;                              ///< where it may be, and how high it may be there
     float x = 0, y = 0;                                   ///< where it was placed, ImGui's units
     float title = 0, natural = 0;                         ///< heights of its title and of all it has to show; 0 before
     float shownX = 0, shownY = 0, width = 0, height = 0;  ///< as last drawn; 0 before
@@ -60,7 +60,7 @@ class Panels {
   void drawOne(std::size_t which, Viewer& viewer);
   void placeNext(std::size_t which);
   void measure(std::size_t which);
-  [[nodiscard]] bool stands(std::size_t which, Edge edge) const;
+  [[nodiscard]] bool isAtEdge(std::size_t which, Edge edge) const;
   [[nodiscard]] float textSize(const PanelKind& kind) const;
   [[nodiscard]] float widthOf(const PanelKind& kind) const;
 
@@ -69,7 +69,7 @@ class Panels {
   double rested_ = -1e6;                              ///< s, ImGui's time at which the mouse last moved
   Colouring::By colouredBy_ = Colouring::By::Family;  ///< since the last paint()
   Edits edits_;
-  std::vector<Place> places_;       ///< one for each line of the table
+  std::vector<Slot> slots_;         ///< one for each line of the table
   std::vector<std::size_t> order_;  ///< of those open, last opened last
 };
 

@@ -1,9 +1,9 @@
-// See paragraph.h.
+// Breaks the lines itself, because ImGui breaks them differently from the rest of the window.
 #include "ui/panels/paragraph.h"
 
 #include <imgui.h>
 
-#include "ui/wrapped.h"
+#include "util/wrapped.h"
 
 namespace tyg {
 

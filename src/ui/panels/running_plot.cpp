@@ -1,13 +1,13 @@
-// See running_plot.h.
+// Draws with ImGui's draw lists: ImGui itself has no such plot.
 #include "ui/panels/running_plot.h"
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "util/text.h"
 #include "view/round_step.h"
 #include "viewer/viewer.h"
 
@@ -45,16 +45,16 @@ std::string numberText(double value, double step) {
   if (std::abs(value) < step / 1e6) return "0";
   const int digits = -static_cast<int>(std::floor(std::log10(step) + 1e-9));
   constexpr int kMostDigits = 6;
-  return digits > kMostDigits ? formatted("%.2g", value) : formatted("%.*f", std::max(0, digits), value);
+  return digits > kMostDigits ? fmt::format("{:.2g}", value) : fmt::format("{:.{}f}", value, std::max(0, digits));
 }
 
-/// One moment of the curves, beside the cursor.
-void readOut(const RunningSeries& series, std::size_t moment, std::span<const RunningCurve> curves, const char* unit) {
+/// The values of the curves at one sample, beside the cursor.
+void readOut(const RunningSeries& series, std::size_t sample, std::span<const RunningCurve> curves, const char* unit) {
   ImGui::BeginTooltip();
-  ImGui::Text("%.3f s: a click goes there", series.time(moment));
+  ImGui::Text("%.3f s: a click goes there", series.time(sample));
   for (const RunningCurve& curve : curves) {
     const ImVec4 ink = ImGui::ColorConvertU32ToFloat4(curve.colour);
-    ImGui::TextColored(ink, "%s %.4g %s", curve.name.c_str(), curve.value(series, moment), unit);
+    ImGui::TextColored(ink, "%s %.4g %s", curve.name.c_str(), curve.value(series, sample), unit);
   }
   ImGui::EndTooltip();
 }
@@ -97,7 +97,7 @@ void runningPlot(const PanelScope& scope, const RunningPlot& plot, const Running
   const double end = series.time(series.size() - 1), begin = std::max(series.time(0), end - series.window());
   const double span = std::clamp(end - begin, kShortest, series.window());
   const auto x = [&](double time) { return right - float((end - time) / span) * (right - left); };
-  const std::string first = formatted("%.2f s", begin), last = formatted("%.2f s", end);
+  const std::string first = fmt::format("{:.2f} s", begin), last = fmt::format("{:.2f} s", end);
   if (x(begin) + extent(first) + small < right - extent(last)) write(x(begin), bottom + 0.2F * small, first);
   write(right - extent(last), bottom + 0.2F * small, last);
   for (const RunningCurve& curve : curves) {
@@ -113,13 +113,14 @@ void runningPlot(const PanelScope& scope, const RunningPlot& plot, const Running
   const auto mark = [&](double time, Colour colour) {
     if (time >= begin && time <= end) list.AddLine({x(time), top}, {x(time), bottom}, colour, 1.5F);
   };
-  if (viewer.timeline().past) mark(viewer.time(), scope.colours.accent);
+  if (viewer.run().timeline().past) mark(viewer.run().shown().time(), scope.colours.accent);
   if (!ImGui::IsItemHovered() && !ImGui::IsItemActive()) return;
   const double wanted = end - double(right - ImGui::GetMousePos().x) / double(right - left) * span;
   const std::size_t under = series.at(std::clamp(wanted, begin, end));
   mark(series.time(under), scope.colours.dim);
   readOut(series, under, curves, plot.unit);
-  if (ImGui::IsItemActive() && series.time(under) != viewer.time()) viewer.turnToTime(series.time(under));
+  if (ImGui::IsItemActive() && series.time(under) != viewer.run().shown().time())
+    viewer.run().turnToTime(series.time(under));
 }
 
 }  // namespace tyg

@@ -1,4 +1,4 @@
-// See scene_pictures.h.
+// Simulates one scene after the other, a few milliseconds a frame, and draws it into a texture when it is there.
 #include "ui/panels/scene_pictures.h"
 
 #include <algorithm>

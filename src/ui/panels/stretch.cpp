@@ -1,4 +1,4 @@
-// See stretch.h.
+// Measures the stretch of the springs that are shown, once a frame.
 #include "ui/panels/stretch.h"
 
 #include <imgui.h>
@@ -25,12 +25,12 @@ const SpringFamily& springsOf(const Scene& scene, Family family) {
 class StretchPanel final : public Panel {
  public:
   void follow(Viewer& viewer) override {
-    const Simulation& simulation = viewer.simulation();
+    const Simulation& simulation = viewer.run().simulation();
     double most = 0, typical = 0;
     for (std::size_t k = 0; k < kFamilies.size(); ++k) {
       stretches_.at(k) = {};
       if (!springsOf(simulation.scene(), kFamilies.at(k)).present()) continue;
-      stretches_.at(k) = stretchOf(simulation.sheet(), viewer.positions(), kFamilies.at(k));
+      stretches_.at(k) = stretchOf(simulation.sheet(), viewer.run().shown().positions(), kFamilies.at(k));
       most = std::max({most, stretches_.at(k).largest, -stretches_.at(k).smallest});
       typical = std::max(typical, stretches_.at(k).rms);
     }
@@ -64,7 +64,7 @@ class StretchPanel final : public Panel {
       ImGui::TableNextColumn();
       ImGui::TextDisabled("%s", head);
     }
-    const Scene& scene = scope.viewer.simulation().scene();
+    const Scene& scene = scope.viewer.run().simulation().scene();
     for (std::size_t k = 0; k < kFamilies.size(); ++k) {
       if (!springsOf(scene, kFamilies.at(k)).present()) continue;
       const Stretch& stretch = stretches_.at(k);

@@ -1,6 +1,7 @@
-// See traces.h.
+// Samples the particles that are followed once a frame, three channels for each.
 #include "ui/panels/traces.h"
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -10,7 +11,6 @@
 #include <vector>
 
 #include "ui/panels/running_plot.h"
-#include "util/text.h"
 #include "view/picking.h"
 #include "viewer/viewer.h"
 
@@ -24,21 +24,21 @@ constexpr std::array<const char*, 5> kNamed{"bottom-left", "bottom-right", "midd
 class TracesPanel final : public Panel {
  public:
   void follow(Viewer& viewer) override {
-    if (sheet_ != viewer.sheetsSoFar()) {
-      sheet_ = viewer.sheetsSoFar();
+    if (sheet_ != viewer.scenes().sheetsSoFar()) {
+      sheet_ = viewer.scenes().sheetsSoFar();
       particles_ = {};
-      particles_[0] = particleAt(viewer.simulation().sheet(), Place{.name = "bottom-left"});
+      particles_[0] = particleAt(viewer.run().simulation().sheet(), Place{.name = "bottom-left"});
       series_.clear();
     }
     std::array<float, 3 * kMost> values{};
-    const std::span<const float> xyz = viewer.positions();
+    const std::span<const float> xyz = viewer.run().shown().positions();
     for (std::size_t k = 0; k < kMost; ++k) {
       for (std::size_t axis = 0; particles_.at(k) && axis < 3; ++axis) {
         values.at(3 * k + axis) = xyz[3 * static_cast<std::size_t>(*particles_.at(k)) + axis];
       }
     }
-    series_.cut(viewer.timeline().newest);
-    series_.add(viewer.time(), values);
+    series_.cut(viewer.run().timeline().newest);
+    series_.add(viewer.run().shown().time(), values);
   }
 
   void close() override {
@@ -49,9 +49,9 @@ class TracesPanel final : public Panel {
   /// The next click on a particle takes it, and is no push.
   bool handle(const WindowEvent& event, Viewer& viewer) override {
     if (!picking_ || event.kind != WindowEvent::Kind::Press || event.key != kLeftButton) return false;
-    const std::optional<int> hit = pickParticle(viewer.camera(), {event.x, event.y}, framebuffer(),
-                                                viewer.simulation().sheet(), viewer.positions());
-    if (!hit) return viewer.note("There is no particle."), true;
+    const std::optional<int> hit = pickParticle(viewer.view().camera(), {event.x, event.y}, framebuffer(),
+                                                viewer.run().simulation().sheet(), viewer.run().shown().positions());
+    if (!hit) return viewer.notes().say("There is no particle."), true;
     addOne(*hit);
     picking_ = false;
     return true;
@@ -60,7 +60,7 @@ class TracesPanel final : public Panel {
   void draw(const PanelScope& scope) override {
     constexpr std::array kTitles{"x", "y", "z"};
     constexpr double kLeast = 1e-6;  // of the sheet's size
-    const double least = kLeast * scope.viewer.simulation().sheet().size();
+    const double least = kLeast * scope.viewer.run().simulation().sheet().size();
     std::vector<RunningCurve> curves;
     for (std::size_t k = 0; k < kMost; ++k) {
       if (!particles_.at(k)) continue;
@@ -81,10 +81,10 @@ class TracesPanel final : public Panel {
   static constexpr float kHeight = 6;  ///< text sizes, of each plot
 
   static std::string nameOf(int particle, const Viewer& viewer) {
-    const int columns = viewer.simulation().sheet().columns;
-    return formatted("[%d, %d]", particle % columns, particle / columns);
+    const int columns = viewer.run().simulation().sheet().columns;
+    return fmt::format("[{}, {}]", particle % columns, particle / columns);
   }
-  /// In which places of events count.
+  /// In whose pixels the positions of events are.
   static glm::vec2 framebuffer() {
     const ImGuiIO& io = ImGui::GetIO();
     return {io.DisplaySize.x * io.DisplayFramebufferScale.x, io.DisplaySize.y * io.DisplayFramebufferScale.y};
@@ -111,8 +111,8 @@ class TracesPanel final : public Panel {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
     if (!ImGui::BeginCombo("##add", "add")) return;
-    const Sheet& sheet = viewer.simulation().sheet();
-    const int pushed = viewer.picked();
+    const Sheet& sheet = viewer.run().simulation().sheet();
+    const int pushed = viewer.tools().record().picked;
     if (pushed >= 0 && ImGui::Selectable("the one pushed last")) addOne(pushed);
     for (const char* name : kNamed) {
       if (ImGui::Selectable(name)) addOne(particleAt(sheet, Place{.name = name}));
@@ -124,22 +124,23 @@ class TracesPanel final : public Panel {
     const auto free = std::ranges::find(particles_, std::optional<int>{});
     if (free == particles_.end()) return;
     *free = particle;
-    const auto place = static_cast<std::size_t>(free - particles_.begin());
-    for (std::size_t axis = 0; axis < 3; ++axis) series_.forget(3 * place + axis);
+    const auto slot = static_cast<std::size_t>(free - particles_.begin());
+    for (std::size_t axis = 0; axis < 3; ++axis) series_.forget(3 * slot + axis);
   }
 
   /// A ring around each particle, in the colour of its curves.
   void mark(const PanelScope& scope) const {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const Camera& camera = scope.viewer.camera();
+    const Camera& camera = scope.viewer.view().camera();
     const glm::mat4 seen = camera.projection(screen.x / std::max(screen.y, 1.0F)) * camera.view();
     for (std::size_t k = 0; k < kMost; ++k) {
       if (!particles_.at(k)) continue;
-      const float* at = &scope.viewer.positions()[3 * static_cast<std::size_t>(*particles_.at(k))];
+      const float* at = &scope.viewer.run().shown().positions()[3 * static_cast<std::size_t>(*particles_.at(k))];
       const glm::vec4 clip = seen * glm::vec4(at[0], at[1], at[2], 1);
       if (!(clip.w > 0)) continue;
-      const ImVec2 place{0.5F * (1 + clip.x / clip.w) * screen.x, 0.5F * (1 - clip.y / clip.w) * screen.y};
-      ImGui::GetBackgroundDrawList()->AddCircle(place, 0.45F * scope.size, seriesColour(k, scope.background), 20, 2.5F);
+      const ImVec2 middle{0.5F * (1 + clip.x / clip.w) * screen.x, 0.5F * (1 - clip.y / clip.w) * screen.y};
+      ImGui::GetBackgroundDrawList()->AddCircle(middle, 0.45F * scope.size, seriesColour(k, scope.background), 20,
+                                                2.5F);
     }
   }
 

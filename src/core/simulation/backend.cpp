@@ -1,0 +1,123 @@
+// The backend on the processor, once for each precision: state, forces and integrator. What changes while the cloth
+// moves is handed to each of them in place.
+#include "core/simulation/backend.h"
+
+#include <optional>
+
+#include "core/simulation/integrator.h"
+#include "core/spectrum/live_spectrum.h"
+#include "util/workers.h"
+
+namespace tyg {
+namespace {
+
+template <class T>
+State<T> displacedStart(const Scene& scene, const Sheet& sheet) {
+  State<T> state = startState<T>(sheet);
+  for (const Displacement& displacement : scene.displacements) {
+    const int particle = particleAt(sheet, displacement.particle);
+    const Vec3 from = state.position.get(particle), by = displacement.by;
+    state.position.set(particle, {from.x + by.x, from.y + by.y, from.z + by.z});
+  }
+  return state;
+}
+
+template <class T>
+class BackendOf final : public Backend {
+ public:
+  BackendOf(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers, bool trackDissipation)
+      : scene_(scene),
+        sheet_(sheet),
+        state_(displacedStart<T>(scene, sheet)),
+        workers_(workers),
+        forces_(scene, sheet, workers),
+        integrator_(method.make<T>(scene, sheet)) {
+    forces_.trackDissipation(trackDissipation);
+  }
+
+  void useMethod(const Method& method) override { integrator_ = method.make<T>(scene_, sheet_); }
+  void useLiveParameters() override {
+    integrator_->useParameters(scene_, sheet_);  // first: it may refuse
+    forces_.useParameters(scene_);
+    if (spectrum_) spectrum_->useParameters(scene_);
+  }
+  void steps(double h, int count) override { integrator_->steps(forces_, state_, h, count); }
+  double stepWithin(double most, double tolerance) override {
+    return integrator_->stepWithin(forces_, state_, most, tolerance);
+  }
+  void clearPushes() override { forces_.clearPushes(); }
+  void addPush(int particle, const Vec3& force) override { forces_.addPush(particle, force); }
+  void reset() override { integrator_->reset(); }
+  void trackDissipation(bool on) override {
+    forces_.trackDissipation(on);
+    forces_.measurePower(state_.position, state_.velocity);  // methods that keep a force begin with its power
+  }
+
+  double liveStableStep(const Method& method) override {
+    if (!spectrum_) spectrum_.emplace(scene_, sheet_, workers_);
+    return spectrum_->stableStep(method, state_);
+  }
+  [[nodiscard]] StoredEnergy energy() const override { return forces_.energy(state_); }
+  [[nodiscard]] double startHeight() const override {
+    return forces_.energy(displacedStart<T>(scene_, sheet_)).gravitational;
+  }
+  [[nodiscard]] double lossPower() const override { return forces_.lossPower(state_.position, state_.velocity); }
+  [[nodiscard]] double dissipated() const override { return forces_.dissipated(); }
+  [[nodiscard]] std::int64_t evaluations() const override { return forces_.evaluations(); }
+  [[nodiscard]] Vec3 position(int particle) const override { return state_.position.get(particle); }
+  [[nodiscard]] Vec3 velocity(int particle) const override { return state_.velocity.get(particle); }
+  [[nodiscard]] std::uint64_t hash() const override { return hashOf(state_); }
+
+  void copyPositions(std::span<float> xyz) const override {
+    const Layout& layout = forces_.layout();
+    const T *x = state_.position.x(), *y = state_.position.y(), *z = state_.position.z();
+    float* out = xyz.data();
+    for (int row = 0; row < layout.rows; ++row) {
+      for (std::ptrdiff_t i = row * layout.stride; i < row * layout.stride + layout.columns; ++i) {
+        *out++ = float(x[i]), *out++ = float(y[i]), *out++ = float(z[i]);
+      }
+    }
+  }
+
+  [[nodiscard]] std::unique_ptr<Checkpoint> save() const override {
+    auto checkpoint = std::make_unique<CheckpointOf>();
+    checkpoint->state = state_;
+    checkpoint->integrator = integrator_->clone();
+    checkpoint->account = forces_.account();
+    return checkpoint;
+  }
+  void restore(const Checkpoint& saved) override {
+    const auto& checkpoint = dynamic_cast<const CheckpointOf&>(saved);
+    state_ = checkpoint.state;
+    integrator_ = checkpoint.integrator->clone();
+    forces_.setAccount(checkpoint.account);
+  }
+
+ private:
+  struct CheckpointOf final : Checkpoint {
+    State<T> state;
+    std::unique_ptr<Integrator<T>> integrator;
+    typename Forces<T>::Account account;
+    [[nodiscard]] std::size_t bytes() const override { return state.bytes() + integrator->bytes(); }
+  };
+
+  const Scene& scene_;
+  const Sheet& sheet_;
+  State<T> state_;
+  Workers& workers_;
+  Forces<T> forces_;
+  std::unique_ptr<Integrator<T>> integrator_;
+  std::optional<LiveSpectrum<T>> spectrum_;  // with forces of its own: neither counts nor bits of the motion change
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> makeBackend(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers,
+                                     bool trackDissipation) {
+  if (scene.precision == Precision::Float) {
+    return std::make_unique<BackendOf<float>>(scene, sheet, method, workers, trackDissipation);
+  }
+  return std::make_unique<BackendOf<double>>(scene, sheet, method, workers, trackDissipation);
+}
+
+}  // namespace tyg

@@ -1,0 +1,59 @@
+// What moves in a simulation, and depends on the precision: state, forces and integrator behind one virtual interface.
+// Must not know: stop times, when a push begins or ends, alarms.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "core/forces/forces.h"
+#include "tyg/method.h"
+#include "tyg/scene.h"
+
+namespace tyg {
+
+class Backend {
+ public:
+  /// A copy of everything that moves. Only the backend that made it can restore it.
+  struct Checkpoint {
+    virtual ~Checkpoint() = default;
+    [[nodiscard]] virtual std::size_t bytes() const = 0;  ///< of memory
+  };
+
+  virtual ~Backend() = default;
+  virtual void useMethod(const Method& method) = 0;
+  /// The scene has other live parameters now. Changes nothing where the method refuses them by throwing InputError.
+  virtual void useLiveParameters() = 0;
+  /// `count` steps of h seconds, 1 to 64.
+  virtual void steps(double h, int count) = 0;
+  /// See Integrator::stepWithin.
+  virtual double stepWithin(double most, double tolerance) = 0;
+  virtual void clearPushes() = 0;
+  virtual void addPush(int particle, const Vec3& force) = 0;
+  /// To be called after any edit of pushes or state.
+  virtual void reset() = 0;
+
+  /// See Simulation::liveStableStep.
+  virtual double liveStableStep(const Method& method) = 0;
+  /// See Forces::trackDissipation.
+  virtual void trackDissipation(bool on) = 0;
+  [[nodiscard]] virtual StoredEnergy energy() const = 0;
+  /// Gravitational energy that the start shape has in the gravity of now, J.
+  [[nodiscard]] virtual double startHeight() const = 0;
+  /// See Forces::lossPower.
+  [[nodiscard]] virtual double lossPower() const = 0;
+  [[nodiscard]] virtual double dissipated() const = 0;
+  [[nodiscard]] virtual std::int64_t evaluations() const = 0;
+  [[nodiscard]] virtual Vec3 position(int particle) const = 0;
+  [[nodiscard]] virtual Vec3 velocity(int particle) const = 0;
+  virtual void copyPositions(std::span<float> xyz) const = 0;
+  [[nodiscard]] virtual std::uint64_t hash() const = 0;
+
+  [[nodiscard]] virtual std::unique_ptr<Checkpoint> save() const = 0;
+  virtual void restore(const Checkpoint& saved) = 0;
+};
+
+/// A scene from its displaced start shape. The references must outlive it.
+std::unique_ptr<Backend> makeBackend(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers,
+                                     bool trackDissipation);
+
+}  // namespace tyg

@@ -1,0 +1,69 @@
+// Follows the energies of a run: the alarm, the balance of the ledger, the largest stretch. A regular type, so that a
+// checkpoint is a copy. Must not know: where the energies come from, how steps are made.
+#pragma once
+
+#include <limits>
+
+#include "core/simulation/alarm.h"
+#include "tyg/simulation.h"
+
+namespace tyg {
+
+/// The energies of a run at one moment, J.
+struct EnergySample {
+  StoredEnergy stored{};
+  double work = 0;        ///< put in so far
+  double dissipated = 0;  ///< so far
+  double time = 0;        ///< s
+};
+
+class EnergyWatch {
+ public:
+  /// `start`: the energies of the start shape. `followsLedger`: whether what is dissipated is followed from there.
+  EnergyWatch(const Scene& scene, const Sheet& sheet, const StoredEnergy& start, bool followsLedger)
+      : alarm_(makeAlarm(scene, sheet, start)),
+        startHeight_(start.gravitational),
+        startSum_(start.kinetic + start.elastic),
+        followsLedger_(followsLedger) {}
+
+  /// An energy check: moves the alarm and the largest stretch.
+  void check(const EnergySample& sample);
+  /// The same with the energies as a caller gets them.
+  Ledger ledger(const EnergySample& sample);
+  /// See Alarm::expect and Alarm::lose.
+  void expect(double forcing, double h) { alarm_.expect(forcing, h); }
+  void lose(double power, double time) { alarm_.lose(power, time); }
+
+  /// From now on what is dissipated is followed, or no longer: the drift counts from here.
+  void followLedger(bool on, const EnergySample& sample);
+  [[nodiscard]] bool followsLedger() const { return followsLedger_; }
+
+  /// Elastic and gravitational energy, J.
+  [[nodiscard]] double potential(const StoredEnergy& energy) const {
+    return energy.elastic + energy.gravitational - startHeight_;
+  }
+  /// The live parameters have changed: gravitational energy counts from `startHeight` (J), and the alarm learns anew
+  /// what a large energy is from the energies now.
+  void begin(const Scene& scene, const Sheet& sheet, double startHeight, const StoredEnergy& now);
+
+  /// The steps have become too short to go on at all, at this time (s).
+  void giveUp(double time);
+  [[nodiscard]] bool gaveUp() const { return gaveUp_; }
+  [[nodiscard]] Status status() const { return status_; }
+  [[nodiscard]] double alarmTime() const { return alarmTime_; }  ///< s; NaN before the alarm
+
+ private:
+  void turn(Status status, double time);
+  [[nodiscard]] double sum(const EnergySample& sample) const;
+
+  Alarm alarm_;
+  Status status_ = Status::Ok;
+  double alarmTime_ = std::numeric_limits<double>::quiet_NaN();
+  bool gaveUp_ = false;
+  double maxStretch_ = 0;
+  double startHeight_;  // J, gravitational energy of the start shape
+  double startSum_;     // J, of the ledger
+  bool followsLedger_;
+};
+
+}  // namespace tyg

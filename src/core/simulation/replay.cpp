@@ -1,0 +1,35 @@
+// Handing out the events of a log one after another.
+#include "core/simulation/replay.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace tyg {
+
+const Method& methodNamed(std::string_view name, std::span<const Method> methods) {
+  const auto found = std::ranges::find(methods, name, &Method::name);
+  if (found == methods.end()) throw InputError(fmt::format("replay: found the unknown method \"{}\"", name));
+  return *found;
+}
+
+Replay::Replay(std::vector<Event> events, std::span<const Method> methods) : methods_(methods) {
+  for (const Event& event : events) {
+    if (const auto* change = std::get_if<MethodEvent>(&event.action)) (void)methodNamed(change->method, methods);
+  }
+  events_ = std::make_shared<const std::vector<Event>>(std::move(events));
+}
+
+const Event* Replay::takeDue(std::int64_t tick) {
+  const Event* event = next();
+  if (event == nullptr || event->tick > tick) return nullptr;
+  ++next_;
+  return event;
+}
+
+std::int64_t Replay::ticksToNext(std::int64_t tick, std::int64_t most) const {
+  return next() == nullptr ? most : std::min(most, next()->tick - tick);
+}
+
+}  // namespace tyg

@@ -1,0 +1,71 @@
+// What each kind of event does to a simulation, between two of its ticks.
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "core/forces/parameter.h"
+#include "core/simulation/simulation_impl.h"
+#include "util/text.h"
+
+namespace tyg {
+
+void Simulation::Impl::apply(const EventAction& action, std::span<const Method> methods) {
+  std::visit([&](const auto& event) { perform(event, methods); }, action);  // first: it may refuse
+  run.log.events.push_back({run.clock.ticks(), action});
+}
+
+void Simulation::Impl::applyDueEvents() {
+  while (const Event* event = run.replay.takeDue(run.clock.ticks())) apply(event->action, run.replay.methods());
+}
+
+void Simulation::Impl::perform(const PushEvent& push, std::span<const Method> /*methods*/) {
+  if (push.particle < 0 || push.particle >= sheet.count() || push.ticks < 1) {
+    throw InputError(fmt::format("push: found particle {} for {} ticks, allowed: particle 0 to {}, at least one tick",
+                                 push.particle, push.ticks, sheet.count() - 1));
+  }
+  run.pushes.add(push.particle, push.force, run.clock.ticks(), run.clock.ticks() + push.ticks);
+}
+
+void Simulation::Impl::perform(const MethodEvent& change, std::span<const Method> methods) {
+  const Method& method = methodNamed(change.method, methods);
+  backend->useMethod(method);
+  run.method = &method;
+}
+
+void Simulation::Impl::perform(const StepEvent& change, std::span<const Method> /*methods*/) {
+  if (!(change.dt > 0) || !std::isfinite(change.dt)) {
+    throw InputError(fmt::format("dt: found {:f}, allowed: above 0", change.dt));
+  }
+  run.clock.useStep(change.dt);
+}
+
+/// Gravitational energy counts from the start shape, and the alarm learns anew what a large energy is: the energy that
+/// the change itself adds is not an error of the method, and counts as work.
+void Simulation::Impl::perform(const WorldEvent& change, std::span<const Method> /*methods*/) {
+  const Parameter* parameter = findParameter(change.parameter);
+  if (parameter == nullptr) {
+    throw InputError(fmt::format("world: found the parameter '{}', allowed: {}", change.parameter,
+                                 joined(liveParameters(), &Parameter::key)));
+  }
+  const Vec3 before = parameter->get(scene);
+  const double potential = run.energies.potential(backend->energy());
+  parameter->set(scene, change.value);
+  try {
+    backend->useLiveParameters();
+  } catch (...) {
+    parameter->set(scene, before);
+    throw;
+  }
+  forcing = run.pushes.forcing(scene, sheet);
+  const StoredEnergy energy = backend->energy();
+  run.energies.begin(scene, sheet, backend->startHeight(), energy);
+  run.pushes.addWork(run.energies.potential(energy) - potential);
+  run.energies.check(sample());
+}
+
+void Simulation::Impl::applyPushes() {
+  run.pushes.applyTo(*backend);
+  forcing = run.pushes.forcing(scene, sheet);
+}
+
+}  // namespace tyg

@@ -1,0 +1,72 @@
+// The inside of a simulation: its parts, and what connects them. The parts have files of their own: backend.h (what
+// moves), tick_clock.h, pushes.h, energy_watch.h, replay.h. Must not know: windows, files, clocks.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/simulation/backend.h"
+#include "core/simulation/run.h"
+#include "tyg/simulation.h"
+#include "util/workers.h"
+
+namespace tyg {
+
+struct Simulation::Impl {
+  Scene scene;
+  const Scene startScene;
+  Sheet sheet;
+  Settings settings;
+  Workers workers;
+  std::unique_ptr<Backend> backend;
+  Run run;
+  std::function<bool()> observer;
+  bool stopAsked = false;
+  bool finishing = false;  // a tick that is done whole even where the observer says stop
+  double forcing = 0;      // J/s2, see Alarm::expect
+
+  Impl(Scene wanted, const Method& method, const Settings& asked);
+
+  /// Everything that changes as time passes.
+  struct Checkpoint {
+    Run run;
+    std::vector<Vec3> liveValues;
+    std::unique_ptr<Backend::Checkpoint> moved;
+  };
+  [[nodiscard]] Checkpoint checkpoint() const;
+  void goBackTo(const Checkpoint& checkpoint);
+  [[nodiscard]] EnergySample sample() const;
+  void trackDissipation(bool on);
+
+  // simulation_steps.cpp
+  void runTo(double end);
+  void runTicks(std::int64_t count);
+
+  // simulation_events.cpp
+  /// Lets it happen now, and adds it to the log. `methods` is where the name of a method is looked up.
+  void apply(const EventAction& action, std::span<const Method> methods);
+  /// Lets pushes act on the backend anew.
+  void applyPushes();
+
+ private:
+  void perform(const PushEvent& push, std::span<const Method> methods);
+  void perform(const MethodEvent& change, std::span<const Method> methods);
+  void perform(const StepEvent& change, std::span<const Method> methods);
+  void perform(const WorldEvent& change, std::span<const Method> methods);
+  void applyDueEvents();
+
+  /// Whether the method chooses its own steps. With tolerance 0 an adaptive method takes those of dt, for studies.
+  [[nodiscard]] bool stepsFreely() const { return run.method->adaptive && scene.tolerance > 0; }
+  [[nodiscard]] bool halted() const;
+  [[nodiscard]] std::int64_t stepsToCheck() const;
+  [[nodiscard]] Pushes::Instant now() const;
+  [[nodiscard]] std::int64_t plainTicks(std::int64_t most) const;
+  void switchPushes();
+  void finishSteps(double h, int count, double timeAfter);
+  void advance(std::int64_t steps, double h, double end);
+  void advanceFreely(double stop);
+  void advanceSegment(double stop);
+  void runTick();
+};
+
+}  // namespace tyg

@@ -1,0 +1,143 @@
+// How a simulation advances from one stop time to the next and from tick to tick, with its pushes beginning and ending.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/simulation/simulation_impl.h"
+
+namespace tyg {
+namespace {
+
+constexpr double kSameTime = 1e-9;   // of dt: stop times closer than this are one
+constexpr double kMostSteps = 1e15;  // of one run: more would not end, and could not be counted
+constexpr std::int64_t kStepsBetweenChecks = 64;
+
+/// Of fast waves, about. A method that stays stable however large the damping takes less.
+bool takesWhatDampingTakes(const Method& method) {
+  return method.stableStep != nullptr && std::isfinite(method.stableStep(0, 1));
+}
+
+}  // namespace
+
+bool Simulation::Impl::halted() const {
+  return (stopAsked && !finishing) || run.energies.gaveUp() ||
+         (run.energies.status() != Status::Ok && !settings.keepGoing);
+}
+
+std::int64_t Simulation::Impl::stepsToCheck() const { return kStepsBetweenChecks - run.steps % kStepsBetweenChecks; }
+
+/// A step longer than the run does not make the whole run one moment.
+Pushes::Instant Simulation::Impl::now() const {
+  return {run.clock.time(), kSameTime * std::min(run.clock.dt(), scene.duration), run.clock.ticks()};
+}
+
+void Simulation::Impl::switchPushes() {
+  if (!run.pushes.switchAt(now(), *backend)) return;
+  applyPushes();
+  backend->reset();
+}
+
+/// Accounts for `count` steps of h that ended at `timeAfter`; they must not pass over an energy check.
+void Simulation::Impl::finishSteps(double h, int count, double timeAfter) {
+  run.clock.moveTo(timeAfter);
+  run.largestStep = std::max(run.largestStep, h);
+  run.steps += count;
+  run.energies.expect(forcing, h);
+  if (run.steps % kStepsBetweenChecks != 0) return;
+  // Steps of a method's own choice let fast waves jitter within the tolerance.
+  const bool keepsTheBalance = !stepsFreely() && takesWhatDampingTakes(*run.method);
+  run.energies.lose(keepsTheBalance ? backend->lossPower() : 0, timeAfter);
+  run.energies.check(sample());
+  if (observer && !observer()) stopAsked = true;
+}
+
+/// `steps` steps of h from now on, the last of which ends at `end`.
+void Simulation::Impl::advance(std::int64_t steps, double h, double end) {
+  const double from = run.clock.time();
+  for (std::int64_t done = 0; done < steps && !halted();) {
+    const auto some = std::min(steps - done, stepsToCheck());
+    backend->steps(h, int(some));
+    done += some;
+    finishSteps(h, int(some), done == steps ? end : from + double(done) * h);
+  }
+}
+
+/// Steps of the method's own choice. Where these become so short that the run would not end, the tolerance is below
+/// what rounding leaves of the numbers: the run advances no further.
+void Simulation::Impl::advanceFreely(double stop) {
+  while (!halted() && run.clock.time() < stop) {
+    const double most = stop - run.clock.time(), taken = backend->stepWithin(most, scene.tolerance);
+    finishSteps(taken, 1, taken == most ? stop : run.clock.time() + taken);
+    if (most > kMostSteps * taken) run.energies.giveUp(run.clock.time());
+  }
+}
+
+/// To the next stop, in steps of the method's own choice or in equal steps of at most dt.
+void Simulation::Impl::advanceSegment(double stop) {
+  switchPushes();
+  if (stepsFreely()) return advanceFreely(stop);
+  const double span = stop - run.clock.time();
+  const double steps = std::max(1.0, std::ceil(span / run.clock.dt() - kSameTime));
+  if (steps > kMostSteps) {
+    throw InputError(fmt::format("dt: found {:f} steps to the next stop, allowed: up to 1e15", steps));
+  }
+  advance(std::int64_t(steps), span / steps, stop);
+}
+
+void Simulation::Impl::runTo(double end) {
+  while (!halted() && run.clock.time() < end - now().sameTime) advanceSegment(run.pushes.nextEdge(now(), end));
+}
+
+/// One tick, whatever begins or ends in it. Of steps of the method's own choice there may be millions in a tick: it is
+/// done whole or, stopped, not at all. The few of dt that a push's edge leaves in a tick are all done.
+void Simulation::Impl::runTick() {
+  std::optional<Checkpoint> before;
+  if (observer && stepsFreely()) before = checkpoint();
+  applyDueEvents();
+  const double end = run.clock.tickEnd();
+  if (run.pushes.nextEdge(now(), end) == end && !stepsFreely()) {
+    switchPushes();
+    advance(1, run.clock.dt(), end);
+  } else {
+    finishing = !stepsFreely();
+    runTo(end);
+    finishing = false;
+  }
+  if (before && stopAsked && run.clock.time() < end - now().sameTime) return goBackTo(*before);
+  run.clock.endTicks(1);
+}
+
+/// How many of the next ticks, up to `most`, are one step each with nothing beginning or ending after the first.
+std::int64_t Simulation::Impl::plainTicks(std::int64_t most) const {
+  if (stepsFreely()) return 0;
+  most = run.replay.ticksToNext(run.clock.ticks(), std::min(most, stepsToCheck()));
+  most = run.pushes.ticksToEdge(run.clock.ticks(), most);
+  // Half a tick away from the edge of a scene's push there is no doubt about the tick that it lies in.
+  const double edge = run.pushes.nextEdge(now(), run.clock.tickEnd(most)) - run.clock.dt() / 2;
+  while (most > 0 && run.clock.tickEnd(most - 1) > edge) --most;
+  return most;
+}
+
+/// The same as that many single ticks, to the last bit, with the method's steps in one call where nothing comes between
+/// them.
+void Simulation::Impl::runTicks(std::int64_t count) {
+  stopAsked = false;
+  const std::int64_t end = run.clock.ticks() + count;
+  while (run.clock.ticks() < end && !halted()) {
+    applyDueEvents();
+    const std::int64_t plain = plainTicks(end - run.clock.ticks());
+    if (plain < 2) {
+      runTick();
+    } else {
+      switchPushes();
+      backend->steps(run.clock.dt(), int(plain));
+      finishSteps(run.clock.dt(), int(plain), run.clock.tickEnd(plain - 1));
+      run.clock.endTicks(plain);
+    }
+    run.log.ticks = run.clock.ticks();
+  }
+}
+
+}  // namespace tyg

@@ -1,0 +1,35 @@
+// How passes draw discs: round, of a size in pixels, at points of a Positions object.
+// Must not know: what the discs are.
+#pragma once
+
+#include "gfx/gl_objects.h"
+#include "gfx/passes/frame.h"
+
+namespace tyg {
+
+struct DiscStyle {
+  Shading shading;
+  float diameter = 1;  ///< pixels
+  float least = 1;     ///< pixels; a disc that would be smaller is drawn fainter instead
+  float outline = 0;   ///< pixels, in the background's colour
+};
+/// A large disc that sets off a single particle: a pin, the foot of a push.
+inline DiscStyle markerStyle(const glm::vec3& colour) {
+  return {.shading = {.colour = colour}, .diameter = 12, .least = 6, .outline = 1.5F};
+}
+
+class DiscDrawing {
+ public:
+  /// Prepares for glDraw...(GL_POINTS, ...) with the vertices of a Positions object bound.
+  void use(const Frame& frame, const DiscStyle& style) const {
+    useShaded(program_, frame, style.shading);
+    program_.set("diameter", style.diameter);
+    program_.set("least", style.least);
+    program_.set("outline", style.outline);
+  }
+
+ private:
+  GlProgram program_{"discs"};
+};
+
+}  // namespace tyg

@@ -1,0 +1,45 @@
+// One frame as every pass sees it: positions, camera, what is to be shown, and what all passes would compute from them.
+// Must not know: which passes there are, who owns the OpenGL objects.
+#pragma once
+
+#include <span>
+
+#include <glm/glm.hpp>
+
+#include "gfx/gl_objects.h"
+#include "gfx/passes/palette.h"
+#include "view/camera.h"
+#include "view/draw_options.h"
+
+namespace tyg {
+
+/// Valid while the frame is drawn: it refers to what the renderer was given.
+struct Frame {
+  std::span<const float> xyz;  ///< of every particle of the sheet, m
+  const Camera& camera;
+  const DrawOptions& options;
+  const ShownPush* push;  ///< null: no push; else on a particle of the sheet
+  const Palette& palette;
+  glm::vec2 pixels;  ///< size of the picture, above 0
+  glm::mat4 view, projection;
+  glm::vec2 depths;  ///< of the nearest and the farthest part of the cloth along the line of sight, m
+  float focal;       ///< pixels per metre at a distance of one metre
+};
+
+/// Computes the matrices and the depths. `pixels` above 0.
+Frame makeFrame(std::span<const float> xyz, const Camera& camera, glm::ivec2 pixels, const DrawOptions& options,
+                const ShownPush* push);
+
+/// How the colour and the size of a line or a disc follow its distance from the eye.
+struct Shading {
+  glm::vec3 colour;
+  float fade = 0;     ///< how far the farthest part of the cloth goes towards the background's colour, 0..1
+  float spacing = 0;  ///< m between neighbours of one kind, which makes dense ones smaller; 0: always full size
+};
+/// The fade of what belongs to the mesh.
+inline constexpr float kMeshFade = 0.62F;
+
+/// Uses the program and sets the uniforms that lines and discs have in common.
+void useShaded(const GlProgram& program, const Frame& frame, const Shading& shading);
+
+}  // namespace tyg

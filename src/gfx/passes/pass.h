@@ -1,0 +1,37 @@
+// A pass draws one kind of thing. A new kind is one class in a file of its own and one line in sheet_renderer.cpp.
+// Must not know: the other passes, windows, the simulation.
+#pragma once
+
+#include "gfx/passes/disc_drawing.h"
+#include "gfx/passes/frame.h"
+#include "gfx/passes/line_drawing.h"
+#include "gfx/passes/positions.h"
+#include "tyg/sheet.h"
+
+namespace tyg {
+
+/// What all passes of a renderer draw from and with. Outlives them.
+struct Canvas {
+  /// A sheet of up to Positions::mostPoints() particles.
+  explicit Canvas(const Sheet& of) : sheet(of) {}
+
+  Sheet sheet;
+  Positions positions{sheet.count()};  ///< of the particles, uploaded once a frame before the first pass
+  LineDrawing lines;
+  DiscDrawing discs;
+};
+
+/// Its constructor takes the canvas (kept by reference) and makes what stays the same from frame to frame.
+class Pass {
+ public:
+  Pass() = default;
+  virtual ~Pass() = default;
+  Pass(const Pass&) = delete;
+  Pass& operator=(const Pass&) = delete;
+
+  /// Draws its kind of thing where the options want it. It finds blending, depth test and depth writing switched on,
+  /// and leaves them so. Allocates nothing, but for what it makes when a thing is shown for the first time.
+  virtual void draw(const Frame& frame) = 0;
+};
+
+}  // namespace tyg

@@ -1,0 +1,258 @@
+// One column of panels a particle, one row a coordinate that changes, and below them how far each method is from the
+// finest one, so that curves which overlap still tell something.
+#include "study/charts/trajectory_chart.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "study/charts/chart_script.h"
+#include "study/charts/gnuplot.h"
+
+namespace tyg {
+namespace {
+
+// In pixels of the PNG, and of the SVG before it is scaled.
+constexpr double kColumnWidth = 1180, kSingleWidth = 1600, kPanelHeight = 270, kGap = 36;
+constexpr double kLeft = 190, kRight = 50, kBottom = 140;
+constexpr double kHead = 150, kLegendRow = 44, kSampleWidth = 120, kCharacterWidth = 11.5;
+
+constexpr const char* kInk = "#000000";
+
+constexpr std::array kCoordinates{&Vec3::x, &Vec3::y, &Vec3::z};
+constexpr std::array kNames{"x", "y", "z"};
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+  void include(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  [[nodiscard]] bool empty() const { return !(low <= high); }
+  [[nodiscard]] Range widened(double fraction) const {
+    const double margin = fraction * (high - low);
+    return {low - margin, high + margin};
+  }
+};
+
+/// Where a curve of a coordinate lies: over the runs that held, because one that failed may be anywhere; where none
+/// held, within a few sizes of the sheet from the start.
+Range rangeOf(const TrajectoryStudy& study, std::size_t particle, double Vec3::*coordinate) {
+  const bool anyHeld = std::ranges::any_of(study.runs, [](const Trajectory& run) { return run.status == Status::Ok; });
+  const double reach = 3 * makeSheet(study.scene).size();
+  Range range;
+  for (const Trajectory& run : study.runs) {
+    if (anyHeld && run.status != Status::Ok) continue;
+    const double start = run.paths[particle].front().*coordinate;
+    for (const Vec3& at : run.paths[particle]) {
+      if (anyHeld || std::abs(at.*coordinate - start) <= reach) range.include(at.*coordinate);
+    }
+  }
+  return range;
+}
+
+/// Positive distances from the finest run; empty where there is nothing to compare.
+Range distanceRange(const TrajectoryStudy& study, std::size_t particle) {
+  Range range;
+  for (std::size_t k = 0; k < study.runs.size(); ++k) {
+    if (study.runs[k].status != Status::Ok) continue;
+    for (std::size_t i = 0; i < study.runs[k].times.size(); ++i) {
+      const double distance = distanceFromFinest(study, k, particle, i);
+      if (distance > 0) range.include(distance);
+    }
+  }
+  return range;
+}
+
+/// Which panels the figure has, and where they are: one row a coordinate that changes, an empty one for the distances.
+struct Layout {
+  const TrajectoryStudy& study;
+  std::vector<std::optional<std::size_t>> rows;
+  std::string still;  // the coordinates that do not change, in words
+  std::size_t legendColumns = 1;
+  double width = 0, height = 0, top = 0;  // pixels
+
+  [[nodiscard]] double columnWidth() const { return width / double(study.particles.size()); }
+};
+
+bool changes(const TrajectoryStudy& study, std::size_t coordinate) {
+  for (std::size_t p = 0; p < study.particles.size(); ++p) {
+    const Range range = rangeOf(study, p, kCoordinates.at(coordinate));
+    if (range.high > range.low) return true;
+  }
+  return false;
+}
+
+bool anyDistance(const TrajectoryStudy& study) {
+  for (std::size_t p = 0; study.runs.size() > 1 && p < study.particles.size(); ++p) {
+    if (!distanceRange(study, p).empty()) return true;
+  }
+  return false;
+}
+
+std::string nameOfRun(const Trajectory& run) {
+  if (run.status == Status::Ok) return std::string(run.method->label);
+  return fmt::format("{} ({} at {:g} s)", run.method->label, nameOf(run.status), run.failedAt);
+}
+
+/// How many entries of the legend fit beside each other.
+std::size_t legendColumns(const TrajectoryStudy& study, double width) {
+  std::size_t longest = 0;
+  for (const Trajectory& run : study.runs) longest = std::max(longest, nameOfRun(run).size());
+  const double fit = (width - kLeft - kRight) / (kSampleWidth + kCharacterWidth * double(longest));
+  return std::clamp<std::size_t>(static_cast<std::size_t>(fit), 1, study.runs.size());
+}
+
+Layout layoutOf(const TrajectoryStudy& study) {
+  Layout layout{.study = study, .rows = {}, .still = {}};
+  for (std::size_t c = 0; c < kCoordinates.size(); ++c) {
+    if (changes(study, c)) {
+      layout.rows.emplace_back(c);
+    } else {
+      layout.still.append(layout.still.empty() ? "" : " and ").append(kNames.at(c));
+    }
+  }
+  if (anyDistance(study)) layout.rows.emplace_back(std::nullopt);
+  const bool single = study.particles.size() == 1;
+  layout.width = single ? kSingleWidth : kColumnWidth * double(study.particles.size());
+  layout.legendColumns = legendColumns(study, layout.width);
+  const std::size_t legendRows = (study.runs.size() + layout.legendColumns - 1) / layout.legendColumns;
+  layout.top = kHead + kLegendRow * double(legendRows) + (single ? 0 : 40);
+  layout.height = layout.top + kBottom + double(layout.rows.size()) * (kPanelHeight + kGap) - kGap;
+  return layout;
+}
+
+std::string titleOf(const TrajectoryStudy& study) {
+  if (study.particles.size() == 1) {
+    return fmt::format("{}: the way of the {} particle", study.scene.title, study.particles.front().label);
+  }
+  return fmt::format("{}: the way of {} particles", study.scene.title, study.particles.size());
+}
+
+std::string subtitleOf(const Layout& layout) {
+  const Scene& scene = layout.study.scene;
+  std::string text = fmt::format("{} x {} particles, steps of {:g} s", scene.columns, scene.rows, scene.dt);
+  const auto isAdaptive = [](const Trajectory& run) { return run.method->adaptive; };
+  if (std::ranges::any_of(layout.study.runs, isAdaptive)) {
+    text += fmt::format(" (adaptive ones: within {:g} m)", scene.tolerance);
+  }
+  if (layout.still.empty()) return text;
+  return fmt::format("{}; {} {} not change", text, layout.still, layout.still.size() > 1 ? "do" : "does");
+}
+
+std::string colourOf(std::size_t run, const TrajectoryStudy& study) {
+  return run == study.finest ? "#b0b0b0" : chartColour(run);
+}
+
+/// The finest run is a broad band below the others' dashes, so that curves on top of each other all show.
+std::string styleOf(std::size_t run, const TrajectoryStudy& study) {
+  constexpr std::array kDashes{"(9,5)", "(3,3)", "(9,4,2,4)", "(16,5)"};
+  if (run == study.finest) return fmt::format("lw 9 dt 1 lc '{}'", colourOf(run, study));
+  return fmt::format("lw 4 dt {} lc '{}'", kDashes.at(run % kDashes.size()), colourOf(run, study));
+}
+
+/// gnuplot's own key breaks its rows where it likes; this one keeps the order of the methods.
+void addLegend(const Layout& layout, ChartScript& script) {
+  const TrajectoryStudy& study = layout.study;
+  const std::size_t columns = layout.legendColumns;
+  const double entryWidth = (layout.width - kLeft - kRight) / double(std::max<std::size_t>(columns, 3));
+  for (std::size_t k = 0; k < study.runs.size(); ++k) {
+    const Pixel at{kLeft + entryWidth * double(k % columns), kHead + kLegendRow * double(k / columns)};
+    const double y = 1 - at.y / layout.height;
+    script.add("  set arrow from screen {:.12g},{:.12g} to screen {:.12g},{:.12g} nohead {}\n", at.x / layout.width, y,
+               (at.x + kSampleWidth - 30) / layout.width, y, styleOf(k, study));
+    script.label(nameOfRun(study.runs[k]), {at.x + kSampleWidth - 15, at.y}, {.colour = kInk});
+  }
+}
+
+/// A cross where a run that failed was last seen.
+void addCrosses(const TrajectoryStudy& study, std::size_t coordinate, std::size_t p, const Range& shown,
+                ChartScript& script) {
+  for (std::size_t k = 0; k < study.runs.size(); ++k) {
+    const Trajectory& run = study.runs[k];
+    if (run.status == Status::Ok) continue;
+    const double last = run.paths[p].back().*kCoordinates.at(coordinate);
+    script.add("  set label '' at first {:.12g},{:.12g} point pt 2 ps 2.5 lw 4 lc '{}' front\n", run.times.back(),
+               std::isfinite(last) ? std::clamp(last, shown.low, shown.high) : shown.high, colourOf(k, study));
+  }
+}
+
+void addCoordinateAxis(const TrajectoryStudy& study, std::size_t coordinate, std::size_t p, ChartScript& script) {
+  const bool failed = std::ranges::any_of(study.runs, [](const Trajectory& run) { return run.status != Status::Ok; });
+  const Range shown = rangeOf(study, p, kCoordinates.at(coordinate)).widened(failed ? 0.3 : 0.08);
+  script.add("  unset logscale y\n  set format y '%g'\n  set ylabel '{} (m)'\n", kNames.at(coordinate));
+  if (shown.high > shown.low) {
+    script.add("  set yrange [{:.12g}:{:.12g}]\n", shown.low, shown.high);
+  } else {
+    script.add("  set yrange [*:*]\n");
+  }
+  addCrosses(study, coordinate, p, shown, script);
+}
+
+void addDistanceAxis(const TrajectoryStudy& study, std::size_t p, ChartScript& script) {
+  const Range range = distanceRange(study, p);
+  script.add("  set logscale y\n  set format y '10^{%T}'\n");
+  script.add("  set ylabel \"distance from\\n{} (m)\"\n", study.runs[study.finest].method->label);
+  if (range.empty()) return script.add("  set yrange [*:*]\n");
+  // Whole decades, so that there are labelled tics; curves that cross dip without end and are cut four decades down.
+  const double high = std::ceil(std::log10(1.1 * range.high));
+  const double low = std::max(std::floor(std::log10(range.low)), high - 4);
+  script.add("  set yrange [1e{:g}:1e{:g}]\n", low, high);
+}
+
+/// The finest run first, below all others.
+void addCurves(const TrajectoryStudy& study, std::size_t p, int column, ChartScript& script) {
+  const auto curve = [&](std::size_t k) {
+    script.add("'plot.csv' skip 1 using (strcol(1) eq '{}' && strcol(2) eq {} ? $3 : NaN):{} with lines {}",
+               study.runs[k].method->name, gnuplotQuoted(study.particles[p].label), column, styleOf(k, study));
+  };
+  script.add("  plot ");
+  curve(study.finest);
+  for (std::size_t k = 0; k < study.runs.size(); ++k) {
+    if (k == study.finest) continue;
+    script.add(", \\\n       ");
+    curve(k);
+  }
+  script.add("\n");
+}
+
+void addPanel(const Layout& layout, std::size_t row, std::size_t p, ChartScript& script) {
+  const TrajectoryStudy& study = layout.study;
+  const double left = double(p) * layout.columnWidth() + kLeft;
+  const double right = double(p + 1) * layout.columnWidth() - kRight;
+  const double top = layout.top + double(row) * (kPanelHeight + kGap);
+  script.panel({left, right, top, top + kPanelHeight});
+  if (row == 0 && study.particles.size() > 1) {
+    script.label(study.particles[p].label, {left, top - 22}, {.colour = kInk});
+  }
+  script.add(row + 1 == layout.rows.size() ? "  set xlabel 'time (s)'\n  set format x '%g'\n"
+                                           : "  unset xlabel\n  set format x ''\n");
+  if (row == 0 && p == 0) addLegend(layout, script);
+  const std::optional<std::size_t> coordinate = layout.rows[row];
+  coordinate ? addCoordinateAxis(study, *coordinate, p, script) : addDistanceAxis(study, p, script);
+  constexpr int kFirstCoordinate = 4, kDistance = 7;  // columns of plot.csv
+  addCurves(study, p, coordinate ? kFirstCoordinate + static_cast<int>(*coordinate) : kDistance, script);
+  script.add("  unset label\n  unset arrow\n");
+}
+
+}  // namespace
+
+std::string trajectoryScript(const TrajectoryStudy& study) {
+  const Layout layout = layoutOf(study);
+  constexpr int kLetters = 22, kDigits = 12;
+  ChartScript script(layout.width, layout.height, kLetters, kDigits);
+  script.add("# Draws plot.svg and plot.png from plot.csv:  gnuplot plot.gp\nset datafile separator comma\n");
+  script.namePictures("plot");
+  script.beginPictures();
+  script.add("  set grid lt 1 lc '#d0d0d0' lw 1\n  set xrange [0:{:.12g}]\n", study.scene.duration);
+  script.label(titleOf(study), {kLeft, 45}, {.colour = kInk, .scale = 1.35});
+  script.label(subtitleOf(layout), {kLeft, 95}, {.colour = "#555555"});
+  for (std::size_t row = 0; row < layout.rows.size(); ++row) {
+    for (std::size_t p = 0; p < study.particles.size(); ++p) addPanel(layout, row, p, script);
+  }
+  script.endPictures();
+  return script.text();
+}
+
+}  // namespace tyg

@@ -1,0 +1,63 @@
+// Reads the framebuffer back; whatever goes wrong with files becomes a warning, and the window goes on.
+#include "ui/frame_capture.h"
+
+#include <fmt/core.h>
+
+#include <exception>
+#include <utility>
+
+#include "gfx/contexts/offscreen.h"
+
+namespace tyg {
+namespace {
+
+/// Shows what `work` says, or why it failed.
+template <class Work>
+void tell(Notes& notes, const Work& work) {
+  try {
+    if (std::string said = work(); !said.empty()) notes.say(std::move(said));
+  } catch (const std::exception& error) {
+    notes.warn(error.what());
+  }
+}
+
+}  // namespace
+
+bool FrameCapture::handle(const WindowEvent& event) {
+  if (event.kind != WindowEvent::Kind::Press || event.control) return false;
+  const Input* input = findInput(event.key);
+  if (input == nullptr) return false;
+  if (input->action == InputAction::KeepPicture) return pictureAsked_ = true;
+  if (input->action != InputAction::Film) return false;
+  movieAsked_ = !movieAsked_;
+  return true;
+}
+
+void FrameCapture::toggleMovie(Viewer& viewer, Extent window) {
+  tell(viewer.notes(), [&]() -> std::string {
+    if (keeper_.filming()) return keeper_.endMovie();
+    keeper_.beginMovie(viewer.scenes().scene().name, window.width, window.height);
+    return {};
+  });
+}
+
+void FrameCapture::film(Viewer& viewer, Extent window) {
+  if (std::exchange(movieAsked_, false)) toggleMovie(viewer, window);
+  if (!keeper_.filming()) return;
+  readFramebuffer(window.width, window.height, pixels_);
+  tell(viewer.notes(), [&] { return keeper_.film(pixels_, viewer.run().now()); });
+}
+
+void FrameCapture::takePicture(Viewer& viewer, Extent window) {
+  // On the way to a past time, what is shown is not what the run's log would lead to.
+  if (viewer.run().seeking() || !std::exchange(pictureAsked_, false)) return;
+  readFramebuffer(window.width, window.height, pixels_);
+  tell(viewer.notes(), [&] { return keeper_.keep(pixels_, viewer.run().recordShown()); });
+}
+
+std::string FrameCapture::filmingText() const {
+  if (!keeper_.filming()) return {};
+  return fmt::format("filming into {}  \u00b7  {:.1f} s  \u00b7  Z ends it", keeper_.movieName(), keeper_.filmed());
+}
+
+}  // namespace tyg

@@ -1,0 +1,143 @@
+// While the cloth moves a frame follows the next; else the loop sleeps until an event, and wakes now and then for the
+// log and for an interrupt.
+#include "ui/frame_loop.h"
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+
+#include "util/calibration_clock.h"
+#include "util/interrupt.h"
+
+namespace tyg {
+namespace {
+
+/// While nothing moves the loop wakes this often, s: for the log's ten lines a second, or, without a log, to notice an
+/// interrupt.
+constexpr double kIdleSeconds = 0.08, kAsleepSeconds = 0.25;
+/// Frames shown after an event: panels find their size and position over a few of them.
+constexpr int kFramesToSettle = 4;
+/// Frames come no faster than this where the screen sets no rhythm, s.
+constexpr double kShortestFrame = 1.0 / 250;
+
+std::string titleOf(const Scene& scene) { return "Tyg: " + scene.title; }
+
+std::unique_ptr<Window> openWindow(const FrameLoopOptions& options, const std::string& title) {
+  const WindowOptions wanted{.title = title, .size = options.size};
+  return options.library == WindowLibrary::Glut ? openGlutWindow(wanted) : openGlfwWindow(wanted);
+}
+
+}  // namespace
+
+FrameLoop::FrameLoop(const FrameLoopOptions& options, Viewer& viewer)
+    : viewer_(viewer),
+      window_(openWindow(options, titleOf(viewer.scenes().scene()))),
+      painter_(viewer),
+      imgui_(*window_, options.uiScale),
+      hud_(imgui_.fonts()),
+      panels_(imgui_.fonts().size, viewer),
+      capture_(std::filesystem::current_path()),
+      router_(windowRouter(panels_, hud_, capture_, viewer)),
+      hints_(options.log ? std::nullopt : hintsFile()),
+      log_(options.log ? std::make_unique<ViewLog>(*options.log) : nullptr),
+      title_(titleOf(viewer.scenes().scene())),
+      opened_(wallClock()),
+      stale_(kFramesToSettle) {}
+
+std::string FrameLoop::run() {
+  while (!window_->closeRequested() && !viewer_.leaving() && !interrupted()) {
+    const double began = wallClock();
+    takeEvents();
+    viewer_.resize(window_->framebuffer(), insets());
+    const bool moving = !viewer_.idle() || panels_.busy();
+    viewer_.frame();
+    panels_.follow(viewer_);
+    if (stale_ > 0 || moving || !viewer_.idle()) show();
+    writeLog();
+    spare_ = std::max(0.0, kShortestFrame - (wallClock() - began));
+  }
+  return endMovie();
+}
+
+std::string FrameLoop::endMovie() {
+  try {
+    return capture_.end();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+void FrameLoop::takeEvents() {
+  const bool hidden = shown_ == Extent{};
+  const double rest = log_ ? kIdleSeconds : kAsleepSeconds;
+  const double patience = viewer_.idle() || hidden ? rest : spare_;
+  for (const WindowEvent& event : window_->events(stale_ > 0 || panels_.busy() ? spare_ : patience)) {
+    stale_ = kFramesToSettle;
+    router_.route(event);
+  }
+  if (window_->framebuffer() != shown_) stale_ = kFramesToSettle;
+}
+
+/// Where an edge has panels, they are there instead of the keys.
+Insets FrameLoop::insets() const {
+  const int keys = viewer_.view().showsHelp() ? hud_.keysWidth(window_->framebuffer()) : 0;
+  const auto at = [&](Edge edge) { return panels_.width(edge) > 0 ? static_cast<int>(panels_.width(edge)) : keys; };
+  return {.left = at(Edge::Left), .right = at(Edge::Right), .beside = panels_.beside()};
+}
+
+void FrameLoop::show() {
+  shown_ = window_->framebuffer();
+  stale_ = std::max(0, stale_ - 1);
+  if (window_->closeRequested() || shown_.width <= 0 || shown_.height <= 0) return;
+  draw();
+  window_->swap();
+}
+
+/// Trouble while the cloth is drawn is shown by the text that is drawn over it.
+void FrameLoop::draw() {
+  followTitle();
+  try {
+    painter_.draw(viewer_, panels_, shown_);
+  } catch (const std::exception& error) {
+    viewer_.run().freeze(error.what());
+  }
+  capture_.film(viewer_, shown_);
+  updateHints();
+  imgui_.beginFrame();
+  hud_.draw(viewer_, panels_);
+  panels_.draw(viewer_);
+  ImGuiSession::endFrame();
+  capture_.takePicture(viewer_, shown_);
+}
+
+void FrameLoop::followTitle() {
+  std::string title = titleOf(viewer_.scenes().scene());
+  if (title == title_) return;
+  window_->setTitle(title);
+  title_ = std::move(title);
+}
+
+void FrameLoop::updateHints() {
+  if (viewer_.tools().record().uses > 0) hints_.did(Hints::Topic::Poke);
+  if (panels_.isOpen(InputAction::OpenChart)) hints_.did(Hints::Topic::Chart);
+  if (panels_.isOpen(InputAction::OpenGhost)) hints_.did(Hints::Topic::Ghost);
+  hud_.filming(capture_.filmingText());
+  hud_.hint(viewer_.run().state() == RunState::Running ? hints_.show(wallClock()) : std::string_view());
+}
+
+void FrameLoop::writeLog() {
+  ++frame_;
+  if (!log_) return;
+  try {
+    ViewLogLine line = viewer_.logLine();
+    line.frame = frame_;
+    line.wall = wallClock() - opened_;
+    log_->write(line);
+  } catch (const std::exception& error) {
+    log_.reset();
+    viewer_.notes().warn(error.what());
+    stale_ = kFramesToSettle;
+  }
+}
+
+}  // namespace tyg

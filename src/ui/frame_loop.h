@@ -1,0 +1,69 @@
+// The window's frames: takes what the person did, moves the viewer, draws, and writes the log, until the window closes.
+// Must not know: the command line, what an input does, how anything is drawn.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "ui/cloth_painter.h"
+#include "ui/frame_capture.h"
+#include "ui/hud.h"
+#include "ui/imgui_session.h"
+#include "ui/input_router.h"
+#include "ui/panels/panels.h"
+#include "ui/windows/window.h"
+#include "viewer/hints.h"
+#include "viewer/view_log.h"
+#include "viewer/viewer.h"
+
+namespace tyg {
+
+enum class WindowLibrary { Glfw, Glut };
+
+struct FrameLoopOptions {
+  WindowLibrary library = WindowLibrary::Glfw;
+  Extent size{1280, 720};          ///< pixels, > 0; the screen may give less
+  double uiScale = 1;              ///< > 0: of the text, on top of the screen's own scale
+  std::optional<std::string> log;  ///< a file for one CSV line a frame; a window with one shows no hints
+};
+
+class FrameLoop {
+ public:
+  /// Opens the window. `viewer` must live as long as this does. Throws NoDisplay or WindowError, std::runtime_error
+  /// where the driver refuses the shaders, and InputError where the log cannot be written.
+  FrameLoop(const FrameLoopOptions& options, Viewer& viewer);
+
+  /// Until the window is closed, the person leaves, or the program is interrupted. Returns what is left to tell the
+  /// person when the window is gone; empty: nothing.
+  std::string run();
+
+ private:
+  void takeEvents();
+  [[nodiscard]] Insets insets() const;
+  void show();
+  void draw();
+  void followTitle();
+  void updateHints();
+  void writeLog();
+  std::string endMovie();
+
+  Viewer& viewer_;
+  std::unique_ptr<Window> window_;
+  ClothPainter painter_;
+  ImGuiSession imgui_;
+  Hud hud_;
+  Panels panels_;
+  FrameCapture capture_;
+  InputRouter router_;
+  Hints hints_;
+  std::unique_ptr<ViewLog> log_;
+  std::string title_;
+  double opened_;     ///< s, of the wall clock
+  double spare_ = 0;  ///< s that the last frame was too short
+  std::int64_t frame_ = 0;
+  int stale_;     ///< frames to show, because something happened
+  Extent shown_;  ///< size of the window in the last frame that was shown
+};
+
+}  // namespace tyg

@@ -1,0 +1,141 @@
+// POSIX processes. One socket carries both directions: unlike a pipe it can be written to without waiting and without
+// the signal that would end this program when the other one has gone.
+#include "util/child_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <system_error>
+
+extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves declaring it to the program
+
+namespace tyg {
+namespace {
+
+void mustBeZero(int error) {
+  if (error != 0) throw std::system_error(error, std::generic_category());
+}
+
+/// What the program gets instead of this one's files, folder and process group.
+class Setup {
+ public:
+  Setup(int socket, const std::filesystem::path& folder) {
+    posix_spawn_file_actions_init(&actions_);
+    for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+      posix_spawn_file_actions_adddup2(&actions_, socket, file);
+    }
+    if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str());
+    posix_spawnattr_init(&attributes_);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
+  }
+  ~Setup() {
+    posix_spawnattr_destroy(&attributes_);
+    posix_spawn_file_actions_destroy(&actions_);
+  }
+  Setup(const Setup&) = delete;
+  Setup& operator=(const Setup&) = delete;
+
+  [[nodiscard]] int spawn(pid_t& pid, std::vector<std::string> words) const {
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    return posix_spawnp(&pid, arguments.front(), &actions_, &attributes_, arguments.data(), environ);
+  }
+
+ private:
+  posix_spawn_file_actions_t actions_{};
+  posix_spawnattr_t attributes_{};
+};
+
+/// Which of the `events` the socket is ready for; none where that takes longer than `milliseconds`.
+short awaited(int socket, short events, int milliseconds) {
+  pollfd entry{.fd = socket, .events = events, .revents = 0};
+  return poll(&entry, 1, milliseconds) > 0 ? entry.revents : short{0};
+}
+
+}  // namespace
+
+bool isOnPath(const std::string& program) {
+  const char* path = std::getenv("PATH");
+  std::string_view folders = path == nullptr ? "" : path;
+  while (!folders.empty()) {
+    const std::size_t colon = std::min(folders.find(':'), folders.size());
+    if (access((std::filesystem::path(folders.substr(0, colon)) / program).c_str(), X_OK) == 0) return true;
+    folders.remove_prefix(std::min(colon + 1, folders.size()));
+  }
+  return false;
+}
+
+ChildProcess::ChildProcess(const std::vector<std::string>& words, const std::filesystem::path& folder) {
+  std::array<int, 2> ends{};
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) mustBeZero(errno);
+  const int error = Setup(ends[1], folder).spawn(pid_, words);
+  close(ends[1]);
+  if (error != 0) close(ends[0]);
+  mustBeZero(error);
+  socket_ = ends[0];
+}
+
+ChildProcess::~ChildProcess() {
+  if (pid_ != 0) {
+    kill();
+    reap();
+  }
+  close(socket_);
+}
+
+/// Takes what is there to be read, waiting for it if need be. Returns false where nothing will come any more.
+bool ChildProcess::readSome() {
+  std::array<char, 4096> buffer{};
+  const ssize_t count = recv(socket_, buffer.data(), buffer.size(), 0);
+  if (count > 0) printed_.append(buffer.data(), static_cast<std::size_t>(count));
+  return count > 0 || (count < 0 && errno == EINTR);
+}
+
+bool ChildProcess::write(std::string_view bytes) {
+  constexpr int kAsLongAsItTakes = -1;
+  while (!bytes.empty()) {
+    const short ready = awaited(socket_, POLLIN | POLLOUT, kAsLongAsItTakes);
+    if ((ready & POLLIN) != 0 && !readSome()) return false;
+    if ((ready & (POLLOUT | POLLHUP | POLLERR)) == 0) continue;
+    const ssize_t sent = send(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+    if (sent < 0 && errno != EINTR && errno != EAGAIN) return false;
+    bytes.remove_prefix(sent < 0 ? 0 : static_cast<std::size_t>(sent));
+  }
+  return true;
+}
+
+int ChildProcess::wait(const std::function<bool()>& stop) {
+  constexpr int kTenthOfASecond = 100;  // ms
+  shutdown(socket_, SHUT_WR);
+  for (bool open = true; open;) {
+    if (awaited(socket_, POLLIN, kTenthOfASecond) != 0) open = readSome();
+    if (stop()) {
+      kill();
+      break;
+    }
+  }
+  return reap();
+}
+
+void ChildProcess::kill() const { ::kill(-pid_, SIGKILL); }
+
+int ChildProcess::reap() {
+  int status = 0;
+  while (waitpid(pid_, &status, 0) < 0) {
+    if (errno != EINTR) break;
+  }
+  pid_ = 0;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace tyg

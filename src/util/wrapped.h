@@ -1,0 +1,15 @@
+// Breaking text into lines at its spaces alone: ImGui also breaks after full stops, in the middle of numbers.
+// Must not know: fonts, where the text is drawn.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace tyg {
+
+/// The text with line breaks instead of spaces where it would become wider than `width`, as `widthOf` measures it.
+/// Words are not broken: one that is wider than that gets a line of its own. Line breaks of the text stay.
+std::string wrapped(std::string_view text, float width, const std::function<float(std::string_view)>& widthOf);
+
+}  // namespace tyg

@@ -1,0 +1,54 @@
+// Which actions last while their key is held, which repeat, and how often.
+#include "viewer/held_keys.h"
+
+namespace tyg {
+namespace {
+
+using enum InputAction;
+
+/// A held key acts again after this long, and then this often, s.
+constexpr double kRepeatAfter = 0.35, kRepeatEvery = 0.05;
+
+bool repeatsItself(InputAction action) {
+  return action == StepBack || action == Step || action == SmallerStep || action == LargerStep;
+}
+bool lasts(InputAction action) { return action == LookAround || (action >= MoveForward && action <= MoveUp); }
+
+}  // namespace
+
+void HeldKeys::press(const Input& input, double now) {
+  if (lasts(input.action)) held_.at(static_cast<std::size_t>(input.action)) = true;
+  if (!repeatsItself(input.action)) return;
+  repeated_ = input;
+  repeatAt_ = now + kRepeatAfter;
+}
+
+void HeldKeys::release(KeyCode key) {
+  const Input* input = findInput(key);
+  if (input == nullptr) return repeated_.reset();  // one library tells of `{` where `[` is let go of under Shift
+  held_.at(static_cast<std::size_t>(input->action)) = false;
+  if (repeated_ && repeated_->key == key) repeated_.reset();
+}
+
+void HeldKeys::releaseAll() {
+  held_.fill(false);
+  repeated_.reset();
+}
+
+Motion HeldKeys::motion() const {
+  const auto along = [this](InputAction plus, InputAction minus) { return float(held(plus)) - float(held(minus)); };
+  return {.right = along(MoveRight, MoveLeft), .up = along(MoveUp, MoveDown), .forward = along(MoveForward, MoveBack)};
+}
+
+bool HeldKeys::moves() const {
+  const Motion way = motion();
+  return way.right != 0 || way.up != 0 || way.forward != 0;
+}
+
+std::optional<InputAction> HeldKeys::due(double now) {
+  if (!repeated_ || now < repeatAt_) return std::nullopt;
+  repeatAt_ = now + kRepeatEvery;
+  return repeated_->action;
+}
+
+}  // namespace tyg

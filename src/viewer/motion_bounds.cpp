@@ -1,0 +1,59 @@
+// Finds the bounds with a trial run of a copy of the simulation, and from the length of what hangs below a pin.
+#include "viewer/motion_bounds.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+
+namespace tyg {
+namespace {
+
+/// The trial run: its simulated and its wall time at most, s, and the ticks between two of its boxes.
+constexpr double kTrialSeconds = 3, kTrialWallSeconds = 0.15;
+constexpr int kTicksPerBox = 10;
+
+void addCorners(const Box& box, std::vector<glm::vec3>& points) {
+  const std::array<glm::vec3, 8> corners = box.corners();
+  points.insert(points.end(), corners.begin(), corners.end());
+}
+
+/// Where a pinned cloth that starts flat will hang.
+void addHangingCloth(const Simulation& simulation, std::vector<glm::vec3>& points) {
+  const Sheet& sheet = simulation.sheet();
+  const Vec3& pull = simulation.scene().gravity;
+  const glm::vec3 gravity(pull.x, pull.y, pull.z);
+  if (sheet.start != Start::Flat || glm::length(gravity) == 0) return;
+  const glm::vec3 fall = static_cast<float>(sheet.spacing * (sheet.rows - 1)) * glm::normalize(gravity);
+  for (const int pin : sheet.pins) {
+    const Vec3 at = sheet.startPosition(pin);
+    points.push_back(fall + glm::vec3(at.x, at.y, at.z));
+  }
+}
+
+/// Where a pinned cloth gets to in its first seconds. How far the trial comes depends on the machine, and only the
+/// first view depends on that.
+void addMotion(Simulation trial, const std::function<double()>& clock, std::vector<glm::vec3>& points) {
+  std::vector<float> xyz(static_cast<std::size_t>(3 * trial.sheet().count()));
+  const double start = clock(), end = std::min(trial.scene().duration, kTrialSeconds);
+  while (trial.time() < end && clock() - start < kTrialWallSeconds) {
+    trial.tick();
+    if (trial.ticks() % kTicksPerBox != 0) continue;
+    if (trial.check() != Status::Ok) return;
+    trial.copyPositions(xyz);
+    addCorners(boxAround(xyz), points);
+  }
+}
+
+}  // namespace
+
+std::vector<glm::vec3> motionBounds(const Simulation& simulation, const Box& box, const Settings& settings,
+                                    const std::function<double()>& clock) {
+  std::vector<glm::vec3> points;
+  addCorners(box, points);
+  if (simulation.sheet().pins.empty()) return points;
+  addHangingCloth(simulation, points);
+  addMotion(Simulation(simulation.scene(), simulation.method(), settings), clock, points);
+  return points;
+}
+
+}  // namespace tyg

@@ -1,0 +1,26 @@
+// Smooths by a share of each frame's length, so that the smoothing lasts as long at every frame rate.
+#include "viewer/pace_meter.h"
+
+#include <algorithm>
+
+namespace tyg {
+namespace {
+
+constexpr double kSmoothingSeconds = 0.5;
+/// A longer frame says that nothing moved before it, not how fast frames come.
+constexpr double kLongestMeasuredFrame = 0.5;
+
+}  // namespace
+
+void PaceMeter::measure(double frameSeconds, double simulatingSeconds, const FrameClock& clock) {
+  if (frameSeconds <= 0 || frameSeconds > kLongestMeasuredFrame) return;
+  const double share = frameSeconds_ > 0 ? std::min(1.0, frameSeconds / kSmoothingSeconds) : 1;
+  frameSeconds_ += share * (frameSeconds - frameSeconds_);
+  simulatingSeconds_ += share * (std::min(simulatingSeconds, frameSeconds) - simulatingSeconds_);
+  pace_ = {.framesPerSecond = 1 / frameSeconds_,
+           .simulating = simulatingSeconds_ / frameSeconds_,
+           .realTime = clock.realTimeFactor(),
+           .behind = clock.behind()};
+}
+
+}  // namespace tyg

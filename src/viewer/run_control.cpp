@@ -1,0 +1,270 @@
+// Going on, going back and failing. Wherever time comes to rest at another tick, the listener is told that other
+// settings may be in use there.
+#include "viewer/run_control.h"
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <utility>
+
+#include "tyg/methods.h"
+
+namespace tyg {
+namespace {
+
+/// The simulation may take this long a frame, or as long as everything else takes where that is longer, s.
+constexpr double kSimulatingSeconds = 0.012;
+/// A cure goes on from this long before the last good frame, where the failure has not yet grown; simulated s.
+constexpr double kBackSeconds = 0.25;
+/// A replay shows this much again, simulated s, at this speed.
+constexpr double kReplaySeconds = 1, kReplaySpeed = 0.125;
+constexpr double kSlowest = 1.0 / 64;
+
+}  // namespace
+
+std::string_view nameOf(RunState state) {
+  constexpr std::array<std::string_view, 4> kNames{"waiting", "running", "paused", "frozen"};
+  return kNames.at(static_cast<std::size_t>(state));
+}
+
+RunControl::RunControl(Simulation simulation, Clock clock, Notes& notes, RunListener& listener)
+    : clock_(std::move(clock)),
+      notes_(notes),
+      listener_(listener),
+      simulation_(std::move(simulation)),
+      frameClock_(simulation_.dt()),
+      ticks_(clock_) {
+  ticks_.guard(simulation_);
+  history_.begin(simulation_);
+}
+
+void RunControl::startOrPause() {
+  if (state_ == RunState::Frozen) return;
+  if (state_ != RunState::Running) return goOn();
+  endReplay();
+  state_ = RunState::Paused;
+}
+
+void RunControl::goOn() {
+  intervene();
+  failure_.runsOn = failure_.runsOn && simulation_.status() != Status::Ok;
+  simulation_.keepGoing(failure_.runsOn);
+  failure_.message.clear();
+  failure_.cure.reset();
+  state_ = RunState::Running;
+  frameClock_.restart();
+}
+
+void RunControl::step() {
+  if (state_ == RunState::Frozen || seeking_) return;
+  endReplay();
+  state_ = RunState::Paused;
+  run(1, 0);
+  if (state_ == RunState::Paused) listener_.settingsReturned();
+}
+
+Simulation& RunControl::intervene() {
+  endReplay();
+  sleep_.wake();
+  seeking_ = false;
+  arrived_ = {};
+  if (history_.past()) history_.cut(simulation_);
+  return simulation_;
+}
+
+/// Pauses there, which may take some frames, and then does `then`.
+void RunControl::turnTo(std::int64_t tick, std::function<void()> then) {
+  if (state_ == RunState::Waiting) return;
+  endReplay();
+  sleep_.wake();
+  if (failure_.lastGood && !failure_.runsOn) tick = std::min(tick, failure_.lastGood->tick);
+  state_ = RunState::Paused;
+  failure_.message.clear();
+  notes_.clear();
+  failure_.cure.reset();
+  simulation_.keepGoing(true);
+  history_.turnTo(simulation_, tick);
+  seeking_ = true;
+  arrived_ = std::move(then);
+  seek();
+}
+
+void RunControl::turnToTime(double time) { turnTo(history_.tickAt(time, simulation_)); }
+
+void RunControl::seek() {
+  run(history_.target() - simulation_.ticks(), kSimulatingSeconds);
+  if (!seeking_ || simulation_.ticks() < history_.target()) return;
+  seeking_ = false;
+  simulation_.keepGoing(failure_.runsOn);
+  listener_.settingsReturned();
+  show();
+  if (const auto then = std::exchange(arrived_, {})) then();
+}
+
+void RunControl::replay() {
+  turnTo(history_.tickAt(shown_.time() - kReplaySeconds, simulation_), [this] {
+    replaying_ = true;
+    speedBefore_ = frameClock_.speed();
+    frameClock_.setSpeed(std::min(speedBefore_, kReplaySpeed));
+    state_ = RunState::Running;
+    frameClock_.restart();
+  });
+}
+
+void RunControl::endReplay() {
+  if (replaying_) frameClock_.setSpeed(speedBefore_);
+  replaying_ = false;
+}
+
+void RunControl::changeSpeed(double factor) {
+  frameClock_.setSpeed(std::clamp(frameClock_.speed() * factor, kSlowest, 1.0));
+  speedBefore_ = frameClock_.speed();  // a person's choice outlasts the replay in which it is made
+}
+
+void RunControl::runOn() {
+  if (!failure_.cure || failure_.runsOn || simulation_.status() != Status::Unstable) return;
+  failure_.cure.reset();
+  failure_.message.clear();
+  failure_.runsOn = true;
+  simulation_.keepGoing(true);
+  state_ = RunState::Running;
+  frameClock_.restart();
+}
+
+bool RunControl::turnBeforeFailure(std::function<void()> then) {
+  if (!failure_.lastGood || (!failure_.cure && !failure_.runsOn)) return false;
+  failure_.runsOn = false;
+  turnTo(history_.tickAt(failure_.lastGood->time - kBackSeconds, simulation_), std::move(then));
+  return true;
+}
+
+void RunControl::startOver(Simulation fresh) {
+  std::string trouble;
+  try {
+    if (onRunEnd_ && history_.newest(simulation_).ticks > 0) onRunEnd_(record());
+  } catch (const std::exception& error) {
+    trouble = error.what();
+  }
+  endReplay();
+  sleep_.wake();
+  seeking_ = false;
+  arrived_ = {};
+  failure_ = {};
+  simulation_ = std::move(fresh);
+  ticks_.guard(simulation_);
+  history_.begin(simulation_);
+  stepMargin_.restart();
+  state_ = RunState::Waiting;
+  notes_.warn(trouble);
+  showStart();
+}
+
+void RunControl::showStart() {
+  show();
+  listener_.runBegan();
+}
+
+void RunControl::advance(double frameSeconds, double otherSeconds) {
+  if (seeking_) return seek();
+  if (state_ != RunState::Running || asleep()) return;
+  frameClock_.setTick(simulation_.dt());
+  frameClock_.ran(run(frameClock_.due(frameSeconds), std::max(kSimulatingSeconds, otherSeconds)));
+  if (!replaying_) return;
+  listener_.settingsReturned();
+  if (history_.past() || state_ != RunState::Running) return;
+  endReplay();
+  state_ = RunState::Paused;
+}
+
+/// Runs up to `ticks`, one at least where any are due, and stops when `seconds` are over. Returns how many it ran.
+int RunControl::run(std::int64_t ticks, double seconds) {
+  const std::int64_t first = simulation_.ticks();
+  try {
+    ticks_.run(simulation_, history_, listener_, ticks, seconds);
+    if (ticks_.takeStall()) {
+      freezeOnStall();
+    } else if (simulation_.ticks() > first && !seeking_) {
+      show();
+    }
+  } catch (const std::exception& error) {
+    seeking_ = false;
+    freeze(error.what());
+  }
+  return static_cast<int>(simulation_.ticks() - first);
+}
+
+/// Takes the simulation's state over for drawing, unless the alarm says that it is not worth showing.
+void RunControl::show() {
+  if (!shown_.take(simulation_, failure_.runsOn)) return freezeOnAlarm();
+  const bool recovered = simulation_.status() == Status::Ok && !history_.past();
+  if (recovered && failure_.lastGood && shown_.tick() > failure_.lastGood->tick) failure_.lastGood.reset();
+  if (state_ == RunState::Running && !replaying_ && !listener_.actsAt(shown_.tick())) {
+    sleep_.follow(simulation_, shown_.kinetic());
+  } else {
+    sleep_.wake();
+  }
+}
+
+void RunControl::freezeOnAlarm() {
+  endReplay();
+  listener_.settingsReturned();
+  const double limit = measureLimit();
+  const Cure cure = findCure(simulation_, limit);
+  freezeWith(describeFailure(simulation_, limit, cure), cure);
+}
+
+/// The simulation is at the beginning of the tick that was given up.
+void RunControl::freezeOnStall() {
+  if (!std::exchange(seeking_, false)) show();
+  if (state_ == RunState::Frozen) return;
+  endReplay();
+  listener_.settingsReturned();
+  const Cure cure = findCure(simulation_, measureLimit());
+  freezeWith(describeStall(simulation_, TickRunner::kLongestTick, cure), cure);
+}
+
+void RunControl::freezeWith(std::string message, const Cure& cure) {
+  freeze(std::move(message));
+  failure_.cure = cure;
+  if (!failure_.lastGood) failure_.lastGood = {shown_.tick(), shown_.time()};
+}
+
+void RunControl::freeze(std::string message) {
+  state_ = RunState::Frozen;
+  failure_.cure.reset();
+  failure_.message = std::move(message);
+}
+
+void RunControl::updateMargin(const Scene& chosen) {
+  if (state_ == RunState::Frozen) {
+    stepMargin_.preview(chosen);
+  } else {
+    stepMargin_.update(simulation_, clock_);
+  }
+}
+
+double RunControl::measureLimit() {
+  stepMargin_.update(simulation_, clock_);
+  return margin().limit;
+}
+
+void RunControl::fitCure(const Scene& chosen) {
+  if (!failure_.cure) return;
+  stepMargin_.preview(chosen);
+  if (margin().band() == MarginBand::Past) {
+    failure_.cure->step = safeStep(margin().limit);
+  } else if (&findMethod(chosen.integrator) == &simulation_.method() && chosen.dt == simulation_.dt()) {
+    failure_.cure->step = findCure(simulation_, margin().limit).step;
+  } else {
+    failure_.cure->step = chosen.dt;
+  }
+}
+
+Timeline RunControl::timeline() const {
+  return {.first = history_.first().time,
+          .shown = shown_.time(),
+          .newest = history_.newest(simulation_).time,
+          .past = history_.past()};
+}
+
+}  // namespace tyg

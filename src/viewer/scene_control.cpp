@@ -1,0 +1,139 @@
+// A frozen simulation is left as it is: what is chosen then is kept in the scene, for the next run or for a cure.
+#include "viewer/scene_control.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include "core/simulation/live_parameters.h"
+#include "tyg/methods.h"
+
+namespace tyg {
+namespace {
+
+/// Steps beyond these are of no use in any scene, s.
+constexpr double kShortestStep = 1e-7, kLongestStep = 1;
+/// By which a key changes the step.
+constexpr double kStepFactor = 1.05;
+
+}  // namespace
+
+SceneControl::SceneControl(const Scene& scene, const Settings& settings, RunControl& run, Notes& notes)
+    : run_(run), notes_(notes), scene_(scene), settings_(settings), method_(&findMethod(scene.integrator)) {}
+
+SceneChange SceneControl::use(const Scene& scene) {
+  if (run_.seeking()) return SceneChange::None;
+  const SceneChange change = changeBetween(scene_, scene);
+  try {
+    if (change == SceneChange::Live) useLive(scene);
+    if (change > SceneChange::Live) begin(scene, change == SceneChange::NewSheet);
+  } catch (const std::exception& error) {
+    notes_.warn(error.what());
+    return SceneChange::None;
+  }
+  return change;
+}
+
+/// Another method, step or other live parameters.
+void SceneControl::useLive(const Scene& scene) {
+  useMethod(findMethod(scene.integrator));
+  if (scene.dt != scene_.dt) useStep(scene.dt);
+  if (run_.state() != RunState::Frozen && !sameLiveParameters(scene, run_.simulation().scene())) {
+    run_.intervene().useLiveParameters(scene);
+  }
+  scene_ = scene;
+  run_.fitCure(scene_);
+}
+
+void SceneControl::useMethod(const Method& method) {
+  if (run_.seeking()) return;
+  if (run_.state() != RunState::Frozen && &method != method_) run_.intervene().useMethod(method);
+  method_ = &method;
+  scene_.integrator = method.name;
+  run_.fitCure(scene_);
+}
+
+void SceneControl::chooseMethod(std::size_t slot) {
+  if (slot < methods().size()) useMethod(methods()[slot]);
+}
+
+void SceneControl::useStep(double dt) {
+  if (run_.state() == RunState::Frozen || run_.seeking()) return;
+  run_.intervene().useStep(std::clamp(dt, kShortestStep, kLongestStep));
+  followSimulation();
+}
+
+void SceneControl::smallerStep() { useStep(run_.simulation().dt() / kStepFactor); }
+
+void SceneControl::largerStep() { useStep(run_.simulation().dt() * kStepFactor); }
+
+void SceneControl::followSimulation() {
+  const Simulation& simulation = run_.simulation();
+  method_ = &simulation.method();
+  scene_.integrator = method_->name;
+  scene_.dt = simulation.dt();
+  copyLiveParameters(simulation.scene(), scene_);
+}
+
+void SceneControl::begin(const Scene& scene, bool newSheet) {
+  const Method& method = findMethod(scene.integrator);
+  Simulation fresh(scene, method, settings_);  // first: it may refuse the scene
+  const bool running = run_.state() == RunState::Running;
+  scene_ = scene;
+  method_ = &method;
+  if (newSheet) ++sheetsSoFar_;
+  run_.startOver(std::move(fresh));
+  if (running) run_.startOrPause();
+}
+
+void SceneControl::restart() { run_.startOver(Simulation(scene_, *method_, settings_)); }
+
+void SceneControl::followLedger(bool on) {
+  settings_.ledger = on;
+  run_.followLedger(on);
+}
+
+/// At once, or, after an alarm, shortly before the failure, and goes on from there. What was set since that time, or
+/// while the cloth was frozen, is part of what is wanted: the way back must not lose it.
+void SceneControl::cureWith(const Scene& wanted) {
+  if (run_.seeking()) return;
+  const bool turned = run_.turnBeforeFailure([this, wanted] {
+    try {
+      run_.intervene();
+      useLive(wanted);
+      run_.goOn();
+    } catch (const std::exception& error) {  // a method that was chosen while it was frozen may refuse the scene
+      notes_.warn(error.what());
+    }
+  });
+  if (!turned) useLive(wanted);
+}
+
+void SceneControl::takeSafeStep() {
+  const std::optional<Cure>& cure = run_.failure().cure;
+  if (run_.state() == RunState::Frozen && !cure) return;
+  Scene wanted = scene_;
+  const double safe = safeStep(run_.measureLimit());
+  const double step = cure ? cure->step : run_.margin().adaptive ? 0 : safe;
+  if (step > 0) wanted.dt = step, cureWith(wanted);
+}
+
+void SceneControl::takeHoldingMethod() {
+  const std::optional<Cure>& cure = run_.failure().cure;
+  if (!cure || cure->method == nullptr) return;
+  Scene wanted = scene_;
+  wanted.integrator = cure->method->name;
+  cureWith(wanted);
+}
+
+void SceneControl::describeStep(StepText& text) const {
+  const auto end =
+      method_->adaptive
+          ? fmt::format_to_n(text.data(), text.size() - 1, "tolerance of {:.4g} mm", 1e3 * scene_.tolerance)
+          : fmt::format_to_n(text.data(), text.size() - 1, "step of {:.4g} ms", 1e3 * scene_.dt);
+  *end.out = '\0';
+}
+
+}  // namespace tyg

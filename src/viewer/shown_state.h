@@ -1,0 +1,33 @@
+// The state of the cloth that is on the screen: the last one that was worth showing.
+// Must not know: how it is drawn, how the simulation came there.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tyg/simulation.h"
+#include "view/box.h"
+
+namespace tyg {
+
+class ShownState {
+ public:
+  /// Takes over the simulation's state. Returns false, and keeps the state before, where a picture cannot hold it or,
+  /// unless `pastAlarm`, where the alarm says that it is wrong. Allocates nothing but for another number of particles.
+  bool take(Simulation& simulation, bool pastAlarm);
+
+  [[nodiscard]] std::span<const float> positions() const { return positions_; }  ///< x, y, z of each particle, m
+  [[nodiscard]] double time() const { return time_; }                            ///< s
+  [[nodiscard]] std::int64_t tick() const { return tick_; }
+  [[nodiscard]] double kinetic() const { return kinetic_; }  ///< energy, J
+  [[nodiscard]] const Box& box() const { return box_; }      ///< around all particles, m
+
+ private:
+  std::vector<float> positions_, next_;
+  double time_ = 0, kinetic_ = 0;
+  std::int64_t tick_ = 0;
+  Box box_;
+};
+
+}  // namespace tyg

@@ -1,0 +1,16 @@
+// Every tool, one line each.
+#include <array>
+
+#include "viewer/tools/push_tool.h"
+#include "viewer/tools/tool.h"
+
+namespace tyg {
+
+std::span<const ToolKind> toolTable() {
+  static constexpr std::array kTools{
+      ToolKind{"push", makePushTool},
+  };
+  return kTools;
+}
+
+}  // namespace tyg

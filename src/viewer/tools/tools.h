@@ -1,0 +1,47 @@
+// The tools of a viewer, and the one that is chosen: what the left button does goes to that one.
+// Must not know: any tool in particular, windows.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "viewer/tools/tool.h"
+
+namespace tyg {
+
+class Tools {
+ public:
+  /// All that is given here must live as long as this does.
+  Tools(RunControl& run, const ViewControl& view, Notes& notes);
+
+  /// The left button, at this place of the cursor. Does nothing where the cloth is frozen, on its way to a past time,
+  /// or not to be seen.
+  void press(glm::vec2 cursor);
+  void move(glm::vec2 cursor) { chosen().move(scope(), cursor); }
+  void release() { chosen().release(); }
+  /// Before ticks; see Tool::follow.
+  std::int64_t follow(Simulation& simulation) { return chosen().follow(simulation); }
+  [[nodiscard]] bool actsAt(std::int64_t tick) const;
+  void restart();
+  /// The particles are those of another sheet.
+  void forgetParticles() { record_.picked = -1; }
+  /// > 0, clamped to 0.01..100.
+  void setStrength(double factor);
+
+  [[nodiscard]] const ToolRecord& record() const { return record_; }
+  [[nodiscard]] double strength() const { return record_.strength; }
+  [[nodiscard]] ToolDrawing drawing() const { return tools_[chosen_]->drawing(run_); }
+
+ private:
+  [[nodiscard]] Tool& chosen() { return *tools_[chosen_]; }
+  [[nodiscard]] ToolScope scope() { return {run_, view_, notes_, record_}; }
+
+  RunControl& run_;
+  const ViewControl& view_;
+  Notes& notes_;
+  ToolRecord record_;
+  std::vector<std::unique_ptr<Tool>> tools_;  ///< one for each line of the table
+  std::size_t chosen_ = 0;
+};
+
+}  // namespace tyg

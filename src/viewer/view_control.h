@@ -1,0 +1,67 @@
+// The view of the cloth: where the camera is, what of the window is free for the cloth, and what of it is drawn.
+// Must not know: the simulation, windows, OpenGL.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "view/camera.h"
+#include "view/draw_options.h"
+#include "viewer/input_event.h"
+#include "viewer/input_table.h"
+
+namespace tyg {
+
+/// What of the window is not free for the cloth.
+struct Insets {
+  int left = 0, right = 0;  ///< pixels at the window's sides that panels and keys take
+  float beside = 0;  ///< m, to the left of the cloth as the camera sees it, at which a second cloth is shown; 0: none
+  bool operator==(const Insets&) const = default;
+};
+
+class ViewControl {
+ public:
+  /// A new cloth, whose motion stays within these points (m): the view of it before it moves.
+  void begin(std::vector<glm::vec3> motionBounds) { motionBounds_ = std::move(motionBounds); }
+  /// Where the cloth is now, and whether it has moved since its start.
+  void follow(const Box& cloth, bool hasMoved) { cloth_ = cloth, hasMoved_ = hasMoved; }
+
+  /// Size of the window, and its insets. The first one that is not empty frames the cloth, and what is beside it, in
+  /// the rest (a third of the window in any case), as frameCloth() does. So do later ones, until the person moves the
+  /// camera: from then on the cloth stays as large as it is, and slides to the middle of what is free.
+  void resize(Extent pixels, const Insets& insets);
+  /// Shows all of the cloth, and before it has moved also where it will get to.
+  void frameCloth();
+  /// Once a frame: moves as the held keys say.
+  void move(const Motion& keys, float seconds);
+  void turn(glm::vec2 pixels);   ///< the cursor moved so far
+  void approach(float notches);  ///< of the wheel
+  /// Switches one of the things that are drawn; does nothing for an action of another kind.
+  void toggle(InputAction action);
+
+  [[nodiscard]] const Camera& camera() const { return camera_; }
+  [[nodiscard]] Extent pixels() const { return pixels_; }  ///< of the window; 0 x 0 while nothing of it can be seen
+  [[nodiscard]] bool visible() const { return pixels_.width > 0 && pixels_.height > 0; }
+  [[nodiscard]] const DrawOptions& drawOptions() const { return draw_; }
+  [[nodiscard]] bool showsHelp() const { return help_; }  ///< the keys
+
+ private:
+  void fitView();
+  [[nodiscard]] float aside() const;
+
+  Camera camera_;
+  DrawOptions draw_;
+  bool help_ = true;
+  Extent pixels_;
+  Insets insets_;
+  Box cloth_;
+  bool hasMoved_ = false;
+  std::vector<glm::vec3> motionBounds_;
+  std::vector<glm::vec3> inView_;  ///< what was framed
+  float aside_ = 0;                ///< heights of the window from its middle to the middle of what is free
+  bool framed_ = false;
+  bool cameraMoved_ = false;  ///< by the person, since the cloth was framed
+};
+
+}  // namespace tyg

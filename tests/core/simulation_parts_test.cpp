@@ -1,0 +1,121 @@
+// The parts of a simulation, each on its own: clock, replay, energy watch, live parameters.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/forces/parameter.h"
+#include "core/simulation/energy_watch.h"
+#include "core/simulation/live_parameters.h"
+#include "core/simulation/replay.h"
+#include "core/simulation/tick_clock.h"
+#include "test_systems.h"
+#include "tyg/methods.h"
+
+namespace tyg::test {
+namespace {
+
+TEST(TickClock, TellsTheEndOfATickFromTheStartAndNotFromASumOfTicks) {
+  TickClock clock(0.1);
+  for (int tick = 0; tick < 1000; ++tick) clock.moveTo(clock.tickEnd()), clock.endTicks(1);
+  EXPECT_EQ(clock.time(), 1000 * 0.1);
+  EXPECT_EQ(clock.ticks(), 1000);
+  EXPECT_EQ(clock.tickEnd(9), 1010 * 0.1);
+}
+
+TEST(TickClock, CountsFromThePresentTimeAfterAnotherStepOrAStopWithinATick) {
+  TickClock clock(0.5);
+  clock.moveTo(0.5), clock.endTicks(1);
+  clock.useStep(0.25);
+  EXPECT_EQ(clock.tickEnd(), 0.75);
+  clock.moveTo(0.625);
+  EXPECT_EQ(clock.tickEnd(), 0.75);
+  clock.startTicksHere();
+  EXPECT_EQ(clock.tickEnd(), 0.875);
+  EXPECT_EQ(clock.ticks(), 1);
+}
+
+TEST(Replay, HandsOutEachEventOnceWhenItsTickHasCome) {
+  const Event push{3, PushEvent{}}, step{3, StepEvent{0.5}}, last{9, StepEvent{0.25}};
+  Replay replay({push, step, last}, {});
+  EXPECT_EQ(replay.takeDue(2), nullptr);
+  EXPECT_EQ(replay.ticksToNext(1, 100), 2);
+  EXPECT_EQ(*replay.takeDue(3), push);
+  const Replay copy = replay;
+  EXPECT_EQ(*replay.takeDue(3), step);
+  EXPECT_EQ(*Replay(copy).takeDue(3), step);
+  EXPECT_EQ(replay.takeDue(8), nullptr);
+  EXPECT_EQ(replay.ticksToNext(8, 100), 1);
+  EXPECT_EQ(*replay.takeDue(20), last);
+  EXPECT_EQ(replay.takeDue(20), nullptr);
+  EXPECT_EQ(replay.ticksToNext(20, 100), 100);
+}
+
+TEST(Replay, RefusesAMethodThatIsNotAmongThoseGiven) {
+  EXPECT_NO_THROW(Replay({{0, MethodEvent{"rk4"}}}, methods()));
+  EXPECT_THROW(Replay({{0, MethodEvent{"rk5"}}}, methods()), InputError);
+}
+
+/// A watch of a sheet at rest, whose scale is the energy of a hundredth of stretch.
+EnergyWatch quietWatch(bool followsLedger) {
+  const Scene scene = softSheet(Damping::Relative);
+  return {scene, makeSheet(scene), {}, followsLedger};
+}
+
+TEST(EnergyWatch, KeepsTheFirstAlarmAndItsTime) {
+  EnergyWatch watch = quietWatch(false);
+  watch.check({});
+  EXPECT_EQ(watch.status(), Status::Ok);
+  EXPECT_TRUE(std::isnan(watch.alarmTime()));
+  const double large = watch.ledger({}).scale;
+  watch.check({.stored = {.elastic = large}, .time = 2});
+  watch.check({.stored = {.elastic = NAN}, .time = 3});
+  watch.check({.time = 4});
+  EXPECT_EQ(watch.status(), Status::NotFinite);
+  EXPECT_EQ(watch.alarmTime(), 2);
+}
+
+TEST(EnergyWatch, CountsTheDriftFromWhereTheLedgerIsFollowed) {
+  EnergyWatch watch = quietWatch(false);
+  const double scale = watch.ledger({}).scale;
+  const EnergySample now{.stored = {.kinetic = 0.1 * scale}, .work = 0.05 * scale};
+  EXPECT_EQ(watch.ledger(now).drift, 0);
+  watch.followLedger(true, now);
+  EXPECT_EQ(watch.ledger(now).drift, 0);
+  EnergySample later = now;
+  later.stored.kinetic -= 0.04 * scale, later.dissipated += 0.03 * scale;
+  const Ledger ledger = watch.ledger(later);
+  constexpr double kRounding = 1e-12;
+  EXPECT_NEAR(ledger.drift * ledger.scale, -0.01 * scale, kRounding * scale);
+}
+
+TEST(EnergyWatch, AfterOtherLiveParametersWhatIsStoredCountsAnew) {
+  const Scene scene = softSheet(Damping::Relative);
+  EnergyWatch watch = quietWatch(false);
+  const StoredEnergy stored{.elastic = 1e6, .gravitational = 7};
+  watch.begin(scene, makeSheet(scene), 7, stored);
+  EXPECT_EQ(watch.potential(stored), 1e6);
+  watch.check({.stored = stored});
+  EXPECT_EQ(watch.status(), Status::Ok);
+}
+
+TEST(LiveParameters, ChangesTurnOneSceneIntoTheOther) {
+  const Scene from = softSheet(Damping::Relative);
+  Scene to = from;
+  for (const Parameter& parameter : liveParameters()) {
+    const Vec3 old = parameter.get(from);
+    parameter.set(to, {old.x + 1, old.y, old.z});
+    EXPECT_FALSE(sameLiveParameters(from, to)) << parameter.key;
+    Scene built = from;
+    for (const WorldEvent& change : changesBetween(from, to)) findParameter(change.parameter)->set(built, change.value);
+    EXPECT_EQ(built, to) << parameter.key;
+  }
+  EXPECT_EQ(changesBetween(from, to).size(), liveParameters().size());
+  Scene copied = from;
+  copyLiveParameters(to, copied);
+  EXPECT_TRUE(sameLiveParameters(copied, to));
+  setLiveValues(copied, liveValues(from));
+  EXPECT_EQ(copied, from);
+}
+
+}  // namespace
+}  // namespace tyg::test

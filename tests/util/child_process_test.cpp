@@ -1,0 +1,85 @@
+// Other programs: what goes in and out, how they end, and that none is left running. Small shell scripts stand for
+// them.
+#include "util/child_process.h"
+
+#include <gtest/gtest.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "files.h"
+
+namespace tyg {
+namespace {
+
+constexpr std::size_t kMuch = 1'000'000;  // bytes: more than any socket or pipe holds
+
+std::vector<std::string> shell(const std::string& script) { return {"sh", "-c", script}; }
+
+/// Does the process of this number, as a shell prints it, still run? One that has ended may be listed as a zombie.
+bool runs(const std::string& number) {
+  const std::string state = contentsOf("/proc/" + std::to_string(std::stoi(number)) + "/stat");
+  return !state.empty() && !holds(state, ") Z");
+}
+
+TEST(ChildProcess, ReadsWhatItIsFedAndPrintsOnBothOutputs) {
+  ChildProcess child(shell("cat; echo error >&2; exit 3"));
+  EXPECT_TRUE(child.write("hello\n"));
+  EXPECT_EQ(child.wait(), 3);
+  EXPECT_EQ(child.printed(), "hello\nerror\n");
+}
+
+TEST(ChildProcess, OneThatPrintsMuchBeforeItReadsDoesNotBlock) {
+  ChildProcess child(shell("head -c 1000000 /dev/zero >&2; wc -c"));
+  EXPECT_TRUE(child.write(std::string(kMuch, 'x')));
+  EXPECT_EQ(child.wait(), 0);
+  EXPECT_EQ(child.printed().substr(kMuch), "1000000\n");
+}
+
+TEST(ChildProcess, OneThatEndsEarlyIsNoticedAndItsLastWordsAreKept) {
+  ChildProcess child(shell("echo enough; exit 1"));
+  while (child.write(std::string(kMuch, 'x'))) {
+  }
+  EXPECT_EQ(child.wait(), 1);
+  EXPECT_EQ(child.printed(), "enough\n");
+}
+
+TEST(ChildProcess, RunsInTheFolderThatIsNamed) {
+  const Folder folder;
+  ChildProcess child(shell("touch here"), folder.path());
+  EXPECT_EQ(child.wait(), 0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "here"));
+}
+
+TEST(ChildProcess, WhereThereIsNoSuchProgramTheErrorSaysSo) {
+  try {
+    const ChildProcess child({"tyg-no-such-program"});
+    ADD_FAILURE() << "it started";
+  } catch (const std::system_error& error) {
+    EXPECT_EQ(error.code().value(), ENOENT);
+  }
+  EXPECT_FALSE(isOnPath("tyg-no-such-program"));
+  EXPECT_TRUE(isOnPath("sh"));
+}
+
+TEST(ChildProcess, OneThatIsStoppedDoesNotGoOnAndNorDoesWhatItStarted) {
+  ChildProcess child(shell("sleep 100 & echo $!; wait"));
+  const auto stop = [&] { return child.printed().ends_with('\n'); };
+  EXPECT_EQ(child.wait(stop), -1);
+  while (runs(child.printed())) {  // until the signal has reached it
+  }
+}
+
+TEST(ChildProcess, OneThatNobodyWaitsForIsEnded) {
+  const Folder folder;
+  const std::string file = (folder / "number").string();
+  {
+    const ChildProcess child(shell("echo $$ >'" + file + "'; exec sleep 100"));
+    while (contentsOf(file).empty()) {
+    }
+  }
+  EXPECT_FALSE(runs(contentsOf(file)));
+}
+
+}  // namespace
+}  // namespace tyg
