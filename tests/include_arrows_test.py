@@ -21,7 +21,7 @@ ROOMS = {
     "app": "util core integrators study view gfx viewer ui",
 }
 
-# Room: its folders and the folders of the same room that each may include, again from the lowest up; "." is the room's
+# Room: its folders (what lies deeper belongs to them) and the folders of the same room that each may include, again from the lowest up; "." is the room's
 # own folder. A room that is not named here has no folders.
 FOLDERS = {
     "core": {
@@ -32,16 +32,16 @@ FOLDERS = {
         "simulation": "public forces scene spectrum",
     },
     "study": {
-        "motion": "",
-        "limits": "motion",
-        "work": "motion limits",
-        "diet": "motion limits work",
-        "advice": "motion limits work diet",
-        "charts": "motion limits work diet advice",
+        "limits": "",
+        "motion": "limits",
+        "work": "limits motion",
+        "diet": "limits motion work",
+        "advice": "limits motion work diet",
+        "charts": "limits motion work",
     },
-    "gfx": {"passes": "", "contexts": "", ".": "passes contexts"},
+    "gfx": {".": "", "passes": ".", "contexts": "."},
     "ui": {"windows": "", "panels": "windows", ".": "windows panels"},
-    "app": {"output": "", "reports": "output", "commands": "output reports", ".": "output reports commands"},
+    "app": {"reports": "", "output": "reports", "commands": "reports output", ".": "reports output commands"},
 }
 
 # include/tyg/NAME: the place that it belongs to; a header that is not named here belongs to core/public, which
@@ -82,7 +82,7 @@ def place_of(path):
         return "app", "."
     if not rest or first not in ROOMS:
         return None, "."
-    return first, "/".join(rest[:-1]) or "."
+    return first, rest[0] if len(rest) > 1 else "."
 
 
 def is_in(place, allowed):
@@ -155,7 +155,7 @@ WRONG = [
     ("src/viewer/a.h", '#include "ui/overlay.h"'),
     ("src/ui/a.cpp", '#include "app/commands/commands.h"'),
     ("src/ui/windows/a.cpp", '#include "ui/panels/panels.h"'),
-    ("src/app/output/a.cpp", '#include "app/reports/run_report.h"'),
+    ("src/app/reports/a.cpp", '#include "app/output/render.h"'),
     ("src/view/a.cpp", "#include <glad/gl.h>"),
     ("src/study/work/a.cpp", "#include <GLFW/glfw3.h>"),
     ("src/gfx/contexts/a.cpp", "#include <GL/freeglut.h>"),
@@ -181,7 +181,7 @@ RIGHT = [
     ("include/tyg/simulation.h", '#include "tyg/method.h"'),
     ("src/integrators/a.cpp", '#include "tyg/methods.h"\n#include "core/forces/row_kernel.h"'),
     ("src/study/charts/a.cpp", '#include "study/work/work_rows.h"'),
-    ("src/gfx/a.cpp", '#include <glad/gl.h>\n#include "gfx/contexts/offscreen.h"\n#include "view/camera.h"'),
+    ("src/gfx/contexts/a.cpp", '#include <glad/gl.h>\n#include "gfx/contexts/offscreen.h"\n#include "view/camera.h"'),
     ("src/gfx/contexts/a.cpp", "#include <dlfcn.h>\n#include <EGL/egl.h>"),
     ("src/viewer/a.cpp", '#include "view/camera.h"\n#include "study/work/work_rows.h"'),
     ("src/ui/panels/a.cpp", '#include <imgui.h>\n#include "viewer/viewer.h"'),

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/commands/commands.h"
+#include "app/output/exit_code.h"
 
 namespace tyg {
 namespace {

@@ -4,14 +4,6 @@
 
 namespace tyg {
 
-/// Exit codes that scripts may rely on.
-enum ExitCode : int {
-  kDone = 0,
-  kSimulationFailed = 1,
-  kWrongInput = 2,     ///< also an output that cannot be written
-  kInterrupted = 130,  ///< Ctrl-C, as shells report it; single files are written whole or not at all
-};
-
 /// Runs what the command line asks for and returns the exit code. Nothing escapes: each failure is one message on
 /// stderr.
 int runCommandLine(int argc, char** argv);

@@ -7,7 +7,7 @@
 #include "viewer/pace_meter.h"
 #include "viewer/run_control.h"
 #include "viewer/scene_control.h"
-#include "viewer/tools/tools.h"
+#include "viewer/tools.h"
 #include "viewer/view_control.h"
 #include "viewer/view_log.h"
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <thread>
 
-#include "app/command_line.h"
 #include "app/commands/commands.h"
+#include "app/output/exit_code.h"
 #include "app/output/progress.h"
 #include "app/reports/advice_report.h"
 #include "core/scene/scene_writer.h"

@@ -8,10 +8,10 @@
 
 #include <fmt/core.h>
 
-#include "app/command_line.h"
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
 #include "app/output/drawn_files.h"
+#include "app/output/exit_code.h"
 #include "app/output/progress.h"
 #include "app/reports/chart_report.h"
 #include "study/work/work_precision.h"

@@ -5,9 +5,9 @@
 
 #include <fmt/core.h>
 
-#include "app/command_line.h"
 #include "app/commands/commands.h"
 #include "app/output/drawn_files.h"
+#include "app/output/exit_code.h"
 #include "app/output/progress.h"
 #include "app/output/two_cloths.h"
 #include "app/reports/diet_report.h"

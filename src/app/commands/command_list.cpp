@@ -8,8 +8,8 @@
 
 #include <fmt/core.h>
 
-#include "app/command_line.h"
 #include "app/commands/commands.h"
+#include "app/output/exit_code.h"
 #include "app/reports/json.h"
 #include "tyg/methods.h"
 #include "util/utf8.h"

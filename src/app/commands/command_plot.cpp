@@ -7,10 +7,10 @@
 
 #include <fmt/core.h>
 
-#include "app/command_line.h"
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
 #include "app/output/drawn_files.h"
+#include "app/output/exit_code.h"
 #include "app/output/progress.h"
 #include "study/charts/trajectory_chart.h"
 #include "study/motion/trajectories.h"

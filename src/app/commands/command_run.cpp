@@ -6,9 +6,9 @@
 
 #include <fmt/core.h>
 
-#include "app/command_line.h"
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
+#include "app/output/exit_code.h"
 #include "app/output/progress.h"
 #include "app/output/sample_file.h"
 #include "app/reports/run_report.h"

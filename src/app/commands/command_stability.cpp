@@ -4,10 +4,10 @@
 #include <iostream>
 #include <memory>
 
-#include "app/command_line.h"
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
 #include "app/output/drawn_files.h"
+#include "app/output/exit_code.h"
 #include "app/output/progress.h"
 #include "study/charts/stability_chart.h"
 #include "study/limits/stability_study.h"

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/command_line.h"
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
+#include "app/output/exit_code.h"
 #include "app/output/render.h"
 #include "ui/frame_loop.h"
 #include "util/calibration_clock.h"

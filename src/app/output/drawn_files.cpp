@@ -3,7 +3,7 @@
 
 #include <iostream>
 
-#include "app/command_line.h"
+#include "app/output/exit_code.h"
 #include "study/charts/gnuplot.h"
 #include "tyg/scene.h"
 #include "util/interrupt.h"

@@ -10,7 +10,7 @@
 
 #include <fmt/core.h>
 
-#include "app/command_line.h"
+#include "app/output/exit_code.h"
 #include "util/interrupt.h"
 
 namespace tyg {

@@ -10,7 +10,7 @@
 
 #include <fmt/core.h>
 
-#include "app/command_line.h"
+#include "app/output/exit_code.h"
 #include "app/output/progress.h"
 #include "app/reports/run_report.h"
 #include "gfx/contexts/offscreen.h"

@@ -18,7 +18,7 @@
 #include "tyg/methods.h"
 #include "ui/overlay.h"
 #include "viewer/edits.h"
-#include "viewer/tools/push_tool.h"
+#include "viewer/push_tool.h"
 #include "viewer/viewer.h"
 
 namespace tyg {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "viewer/tools/tool.h"
+#include "viewer/tool.h"
 
 namespace tyg {
 

@@ -1,8 +1,8 @@
 // Every tool, one line each.
 #include <array>
 
-#include "viewer/tools/push_tool.h"
-#include "viewer/tools/tool.h"
+#include "viewer/push_tool.h"
+#include "viewer/tool.h"
 
 namespace tyg {
 

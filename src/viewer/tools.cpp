@@ -1,5 +1,5 @@
 // Every tool is made once, at the start: what one of them left acting goes on when another one is chosen.
-#include "viewer/tools/tools.h"
+#include "viewer/tools.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // A push lasts whole ticks and is in the run's log. Holding the button adds another one where the last one ends, so
 // that no two pushes ever act at once.
-#include "viewer/tools/push_tool.h"
+#include "viewer/push_tool.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "viewer/tools/tool.h"
+#include "viewer/tool.h"
 
 namespace tyg {
 
