@@ -1,4 +1,4 @@
-// Differences of the ledger over time.
+// Each power is the difference of one entry of two ledgers over the time between them.
 #include "viewer/power_flow.h"
 
 namespace tyg {

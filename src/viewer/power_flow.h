@@ -11,7 +11,7 @@ struct PowerFlow {
   double gravity = 0;  ///< from gravity to the masses
   double pushes = 0;   ///< from pushes to the masses
   double springs = 0;  ///< from the masses to the springs
-  double dampers = 0;  ///< from the masses to damping and drag
+  double dampers = 0;  ///< from the masses to all that damps
   double kinetic = 0;  ///< what stays in the masses
   double missing = 0;  ///< what the method loses or makes up: the balance of all others
 };

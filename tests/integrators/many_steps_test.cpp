@@ -1,6 +1,7 @@
 // Many steps in one call give the bits of as many single steps, whatever is fused inside.
 #include <gtest/gtest.h>
 
+#include "core/forces/row_kernel.h"
 #include "core/simulation/integrator.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
@@ -57,15 +58,65 @@ void compareAllSheets() {
 TEST(ManySteps, GiveTheBitsOfSingleStepsInDouble) { compareAllSheets<double>(); }
 TEST(ManySteps, GiveTheBitsOfSingleStepsInFloat) { compareAllSheets<float>(); }
 
-TEST(ManySteps, SeeAPushInEveryStep) {
-  for (const Method& method : methods()) {
-    Bench<double> bench(softSheet(Damping::Relative)), single(softSheet(Damping::Relative));
-    bench.forces.addPush(7, {1, 2, 3});
-    single.forces.addPush(7, {1, 2, 3});
-    method.make<double>(bench.scene, bench.sheet)->steps(bench.forces, bench.state, 0.01, 10);
-    single.advance(method, 0.1, 10);
-    EXPECT_EQ(hashOf(bench.state), hashOf(single.state)) << method.name;
+/// Pushes on the corners and in the middle, several on one particle, and one on a pin.
+template <class T>
+void push(Bench<T>& bench) {
+  const int last = bench.sheet.count() - 1, middle = last / 2;
+  bench.forces.addPush(last, {0.3, -0.2, 0.1});
+  bench.forces.addPush(middle, {1, 2, 3});
+  bench.forces.addPush(0, {1e-30, 0, -1});
+  bench.forces.addPush(middle, {-0.1, 0.7, 1e-9});
+  bench.forces.addPush(middle + (middle < last ? 1 : 0), {0.1, 0.1, 0.1});
+  if (!bench.sheet.pins.empty()) bench.forces.addPush(bench.sheet.pins.front(), {5, 5, 5});
+}
+
+template <class T>
+void comparePushes(const Method& method, int columns, int rows, Numbers& numbers) {
+  constexpr double kStep = 1e-3;
+  Scene scene = randomScene(columns, rows, numbers);
+  scene.damping = Damping::Relative;
+  Bench<T> single(scene);
+  push(single);
+  single.advance(method, 32 * kStep, 32);
+  for (const VectorLevel level : {VectorLevel::Baseline, VectorLevel::V3, VectorLevel::V4}) {
+    if (level > bestVectorLevel()) continue;
+    useVectorLevel(level);
+    for (const int threads : {1, 2, 3}) {
+      Bench<T> together(scene, threads);
+      push(together);
+      const auto integrator = method.make<T>(scene, together.sheet);
+      for (const int count : {1, 24, 7}) integrator->steps(together.forces, together.state, kStep, count);
+      EXPECT_EQ(hashOf(together.state), hashOf(single.state))
+          << method.name << " " << columns << "x" << rows << ", level " << int(level) << ", " << threads << " threads";
+    }
+    useVectorLevel({});
   }
+}
+
+template <class T>
+void compareAllPushes() {
+  Numbers numbers(71);
+  for (const auto& [columns, rows] : {std::pair{1, 1}, {2, 2}, {19, 1}, {17, 9}, {140, 5}, {3, 40}}) {
+    for (const Method& method : methods()) {
+      if (!isSlow(method)) comparePushes<T>(method, columns, rows, numbers);
+    }
+  }
+}
+
+TEST(ManySteps, SeeEveryPushInEveryStepInDouble) { compareAllPushes<double>(); }
+TEST(ManySteps, SeeEveryPushInEveryStepInFloat) { compareAllPushes<float>(); }
+
+TEST(ManySteps, AreFusedWhileAPushActs) {
+  Bench<double> bench(softSheet(Damping::Relative));
+  bench.forces.addPush(7, {1, 2, 3});
+  EXPECT_TRUE(bench.forces.canAdvance());
+}
+
+TEST(ManySteps, ForgetPushesThatAreCleared) {
+  Bench<double> pushed(softSheet(Damping::Relative)), plain(softSheet(Damping::Relative));
+  push(pushed);
+  pushed.forces.clearPushes();
+  EXPECT_EQ(pushed.force(), plain.force());
 }
 
 TEST(ManySteps, FollowTheDissipationInEveryStep) {

@@ -9,9 +9,11 @@
 #include <fmt/core.h>
 
 #include "app/reports/json.h"
+#include "core/forces/term.h"
 #include "study/diet/idle_terms.h"
 #include "study/limits/stability.h"
 #include "tyg/methods.h"
+#include "util/text.h"
 #include "viewer/cure.h"
 
 namespace tyg {
@@ -26,6 +28,12 @@ std::string stableStepLine(const FinishedRun& run) {
   return fmt::format(
       "stable step   up to {:.4g} s is predicted for the sheet at rest; this run used {}", run.stableStep,
       share < 2 ? fmt::format("{:.3g} % of that", 100 * share) : fmt::format("{:.0f} times that", share));
+}
+
+std::string valueText(const Parameter& parameter, const Scene& scene) {
+  const Vec3 value = parameter.get(scene);
+  return parameter.count == 1 ? fmt::format("{:.4g}", value.x)
+                              : fmt::format("({:.4g}, {:.4g}, {:.4g})", value.x, value.y, value.z);
 }
 
 /// The times inside the run at which a scene's push begins or ends.
@@ -191,14 +199,20 @@ std::string runPlan(const Simulation& simulation) {
   const Method& method = simulation.method();
   std::string text = sizeAndMethod(simulation) + "\n";
   if (!scene.shows.empty()) text += scene.shows + "\n";
-  text += fmt::format(
-      "springs (ks in N/m, kd in N s/m): structural {:.4g}, {:.4g}; shear {:.4g}, {:.4g}; bend {:.4g}, {:.4g}; {} "
-      "damping\n",
-      scene.structural.ks, scene.structural.kd, scene.shear.ks, scene.shear.kd, scene.bend.ks, scene.bend.kd,
-      scene.damping == Damping::Relative ? "relative" : "axial");
-  text += fmt::format(
-      "spacing {:.4g} m, particle mass {:.4g} kg, gravity ({:.4g}, {:.4g}, {:.4g}) m/s2, drag {:.4g} N s/m\n",
-      scene.spacing, scene.particleMass, scene.gravity.x, scene.gravity.y, scene.gravity.z, scene.drag);
+  text += "springs (ks in N/m, kd in N s/m): ";
+  for (const ForceTerm* term : forceTerms()) {
+    const auto number = [&](const Parameter& parameter) { return valueText(parameter, scene); };
+    if (term->family) text += fmt::format("{} {}; ", term->name, joined(term->parameters, number));
+  }
+  text += scene.damping == Damping::Relative ? "relative damping\n" : "axial damping\n";
+  text += fmt::format("spacing {:.4g} m, particle mass {:.4g} kg", scene.spacing, scene.particleMass);
+  for (const ForceTerm* term : forceTerms()) {
+    if (term->family) continue;
+    for (const Parameter& parameter : term->parameters) {
+      text += fmt::format(", {} {} {}", parameter.label, valueText(parameter, scene), parameter.unit);
+    }
+  }
+  text += "\n";
   const int evaluations = method.evaluationsPerStep;
   text += fmt::format("{}: {}; order {}, {}\n", method.name, method.scheme, method.order,
                       evaluations < 0

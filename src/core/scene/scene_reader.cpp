@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/scene/scene_table.h"
+#include "core/scene/term_keys.h"
 #include "tyg/scene.h"
 #include "tyg/sheet.h"
 #include "util/text.h"
@@ -15,8 +16,8 @@ namespace {
 /// The mass comes as particle_mass or, spread over the sheet's area, as area_density.
 void readMass(SceneTable& table, Scene& scene) {
   double density = 0;
-  table.number("particle_mass", scene.particleMass, Range::Positive);
-  table.number("area_density", density, Range::Positive);
+  table.number("particle_mass", scene.particleMass, Allowed::Positive);
+  table.number("area_density", density, Allowed::Positive);
   if (!table.has("area_density")) return;
   if (table.has("particle_mass")) {
     table.refuse("area_density", "both particle_mass and area_density", "exactly one of them");
@@ -34,7 +35,7 @@ void readSheet(SceneTable table, Scene& scene) {
   scene.columns = scene.rows = kLargestCount;
   table.integer("columns", scene.columns, 1, kLargestCount);
   table.integer("rows", scene.rows, 1, kLargestCount);
-  table.number("spacing", scene.spacing, Range::Positive);
+  table.number("spacing", scene.spacing, Allowed::Positive);
   table.choice("start", scene.start, {"hanging", "flat"});
   readMass(table, scene);
   table.particleSets("pins", makeSheet(scene), scene.pins);
@@ -44,25 +45,29 @@ void readSheet(SceneTable table, Scene& scene) {
   }
 }
 
-void readFamily(SceneTable& springs, std::string_view name, SpringFamily& family) {
-  std::optional<SceneTable> table = springs.table(name);
-  if (!table) return;
-  table->number("ks", family.ks, Range::NotNegative);
-  table->number("kd", family.kd, Range::NotNegative);
-  table->finish();
+/// The parameters of one term; where they have a table of their own, `table` is the one around it.
+void readTerm(SceneTable& table, const ForceTerm& term, Scene& scene) {
+  const auto readFrom = [&](SceneTable& own) {
+    for (const Parameter& parameter : term.parameters) {
+      const std::string_view key = partsOf(parameter.key).last;
+      Vec3 value = parameter.get(scene);
+      parameter.count == 1 ? own.number(key, value.x, parameter.allowed) : own.vector(key, value);
+      parameter.set(scene, value);
+    }
+  };
+  const std::string_view inner = partsOf(term.parameters.front().key).inner;
+  if (inner.empty()) return readFrom(table);
+  std::optional<SceneTable> own = table.table(inner);
+  if (!own) return;
+  readFrom(*own);
+  own->finish();
 }
 
-void readSprings(SceneTable table, Scene& scene) {
-  table.choice("damping", scene.damping, {"relative", "axial"});
-  readFamily(table, "structural", scene.structural);
-  readFamily(table, "shear", scene.shear);
-  readFamily(table, "bend", scene.bend);
-  table.finish();
-}
-
-void readWorld(SceneTable table, Scene& scene) {
-  table.vector("gravity", scene.gravity);
-  table.number("drag", scene.drag, Range::NotNegative);
+void readTerms(SceneTable table, std::string_view name, Scene& scene) {
+  if (name == kSpringsTable) table.choice("damping", scene.damping, {"relative", "axial"});
+  for (const ForceTerm* term : forceTerms()) {
+    if (partsOf(term->parameters.front().key).table == name) readTerm(table, *term, scene);
+  }
   table.finish();
 }
 
@@ -78,21 +83,21 @@ Push readPush(SceneTable table, const Sheet& sheet) {
   Push push;
   table.particle("particle", sheet, push.particle);
   table.vector("force", push.force);
-  table.number("at", push.at, Range::NotNegative);
-  table.number("for", push.duration, Range::NotNegative);
+  table.number("at", push.at, Allowed::NotNegative);
+  table.number("for", push.duration, Allowed::NotNegative);
   table.finish({"particle", "force", "at", "for"});
   return push;
 }
 
 void readRun(SceneTable table, Scene& scene, std::span<const std::string_view> methods) {
-  table.number("duration", scene.duration, Range::Positive);
+  table.number("duration", scene.duration, Allowed::Positive);
   if (methods.empty()) {
     table.text("integrator", scene.integrator);
   } else if (const auto method = table.oneOf("integrator", methods)) {
     scene.integrator = methods[*method];
   }
-  table.number("dt", scene.dt, Range::Positive);
-  table.number("tolerance", scene.tolerance, Range::Positive);
+  table.number("dt", scene.dt, Allowed::Positive);
+  table.number("tolerance", scene.tolerance, Allowed::Positive);
   table.choice("precision", scene.precision, {"float", "double"});
   table.finish({"duration", "integrator", "dt"});
 }
@@ -101,14 +106,17 @@ void readRun(SceneTable table, Scene& scene, std::span<const std::string_view> m
 void readRoot(SceneTable root, Scene& scene, std::span<const std::string_view> methods) {
   root.text("title", scene.title);
   root.text("shows", scene.shows);
-  const auto sheetTable = root.table("sheet"), springs = root.table("springs"), world = root.table("world");
+  const auto sheetTable = root.table("sheet");
+  std::vector<std::pair<std::string_view, std::optional<SceneTable>>> ofTerms;
+  for (const std::string_view name : tablesOfTerms()) ofTerms.emplace_back(name, root.table(name));
   const auto displacements = root.tables("displace"), pushes = root.tables("push");
   const auto run = root.table("run");
   root.finish({"title", "sheet", "run"});
 
   readSheet(*sheetTable, scene);
-  if (springs) readSprings(*springs, scene);
-  if (world) readWorld(*world, scene);
+  for (const auto& [name, table] : ofTerms) {
+    if (table) readTerms(*table, name, scene);
+  }
   const Sheet sheet = makeSheet(scene);
   for (const SceneTable& table : displacements) scene.displacements.push_back(readDisplacement(table, sheet));
   for (const SceneTable& table : pushes) scene.pushes.push_back(readPush(table, sheet));

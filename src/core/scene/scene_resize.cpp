@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/forces/parameter.h"
 #include "tyg/scene.h"
 #include "tyg/sheet.h"
 
@@ -44,7 +45,12 @@ Scene withSheet(Scene scene, int columns, int rows) {
   const double oldCount = double(scene.columns) * scene.rows, newCount = double(columns) * rows;
   scene.spacing *= double(oldLongest - 1) / (newLongest - 1);
   scene.particleMass *= oldCount / newCount;
-  scene.drag *= oldCount / newCount;
+  for (const Parameter& parameter : liveParameters()) {
+    if (!parameter.isShareOfSheet) continue;
+    const Vec3 share = parameter.get(scene);
+    const double factor = oldCount / newCount;
+    parameter.set(scene, {share.x * factor, share.y * factor, share.z * factor});
+  }
   scene.columns = columns;
   scene.rows = rows;
   return scene;

@@ -47,20 +47,20 @@ std::optional<double> finiteNumber(const toml::node& value) {
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
-std::string numbersIn(Range range) {
-  switch (range) {
-    case Range::Any:
+std::string wordsFor(Allowed allowed) {
+  switch (allowed) {
+    case Allowed::Any:
       break;
-    case Range::NotNegative:
+    case Allowed::NotNegative:
       return "a finite number of at least 0";
-    case Range::Positive:
+    case Allowed::Positive:
       return "a finite number above 0";
   }
   return "a finite number";
 }
 
-bool contains(Range range, double number) {
-  return range == Range::Any || number > 0 || (number == 0 && range == Range::NotNegative);
+bool allows(Allowed allowed, double number) {
+  return allowed == Allowed::Any || number > 0 || (number == 0 && allowed == Allowed::NotNegative);
 }
 
 std::string quoted(std::span<const std::string_view> names) {
@@ -91,11 +91,11 @@ void SceneTable::integer(std::string_view key, int& out, int lowest, int highest
   out = static_cast<int>(number);
 }
 
-void SceneTable::number(std::string_view key, double& out, Range range) {
-  const toml::node* value = ask(key, numbersIn(range));
+void SceneTable::number(std::string_view key, double& out, Allowed allowed) {
+  const toml::node* value = ask(key, wordsFor(allowed));
   if (value == nullptr) return;
   const std::optional<double> number = finiteNumber(*value);
-  if (!number || !contains(range, *number)) refuseValue(*value);
+  if (!number || !allows(allowed, *number)) refuseValue(*value);
   out = *number;
 }
 

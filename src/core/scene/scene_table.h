@@ -11,11 +11,10 @@
 
 #include <toml++/toml.h>
 
+#include "core/forces/parameter.h"
 #include "tyg/sheet.h"
 
 namespace tyg {
-
-enum class Range { Any, NotNegative, Positive };
 
 /// Every reader leaves `out` as it is where the key is absent, and throws InputError (file, line, key, found, allowed)
 /// where the value is wrong.
@@ -26,7 +25,7 @@ class SceneTable {
 
   void text(std::string_view key, std::string& out);
   void integer(std::string_view key, int& out, int lowest, int highest);
-  void number(std::string_view key, double& out, Range range);
+  void number(std::string_view key, double& out, Allowed allowed);
   void vector(std::string_view key, Vec3& out);
   /// The index of one of `names`.
   std::optional<std::size_t> oneOf(std::string_view key, std::span<const std::string_view> names);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/term_keys.h"
 #include "util/text.h"
 
 namespace tyg {
@@ -65,6 +66,7 @@ class Writer {
     }
     text_ += line + "\n";
   }
+  void append(std::string_view lines) { text_ += lines; }
   [[nodiscard]] std::string text() { return std::move(text_); }
 
  private:
@@ -84,26 +86,38 @@ void writeSheet(Writer& out, const Scene& scene) {
   out.line("pins", pins + "]");
 }
 
-void writeSprings(Writer& out, const Scene& scene) {
-  const bool axial = scene.damping == Damping::Axial;
-  if (!axial && !scene.structural.present() && !scene.shear.present() && !scene.bend.present()) return;
-  out.table("[springs]");
-  if (axial) out.line("damping", "\"axial\"");
-  const auto family = [&](std::string_view name, const SpringFamily& springs) {
-    if (!springs.present()) return;
-    out.line(name, "{ ks = " + numberText(springs.ks) + ", kd = " + numberText(springs.kd) + " }", "N/m, N s/m");
-  };
-  family("structural", scene.structural);
-  family("shear", scene.shear);
-  family("bend", scene.bend);
+std::string valueText(const Parameter& parameter, const Scene& scene) {
+  const Vec3 value = parameter.get(scene);
+  return parameter.count == 1 ? numberText(value.x) : vectorText(value);
 }
 
-void writeWorld(Writer& out, const Scene& scene) {
-  const bool ownGravity = scene.gravity != Scene{}.gravity;
-  if (!ownGravity && scene.drag == 0) return;
-  out.table("[world]");
-  if (ownGravity) out.line("gravity", vectorText(scene.gravity), "m/s2");
-  if (scene.drag != 0) out.line("drag", numberText(scene.drag), "N s/m");
+/// The parameters of a term, but for those of an empty world; where they have a table of their own, all or none.
+void writeTerm(Writer& out, const ForceTerm& term, const Scene& scene) {
+  static const Scene kEmptyWorld;
+  const auto isOwn = [&](const Parameter& parameter) { return parameter.get(scene) != parameter.get(kEmptyWorld); };
+  const std::string_view inner = partsOf(term.parameters.front().key).inner;
+  if (inner.empty()) {
+    for (const Parameter& parameter : term.parameters) {
+      if (isOwn(parameter)) out.line(partsOf(parameter.key).last, valueText(parameter, scene), parameter.unit);
+    }
+  } else if (std::ranges::any_of(term.parameters, isOwn)) {
+    const auto assignment = [&](const Parameter& parameter) {
+      return std::string(partsOf(parameter.key).last) + " = " + valueText(parameter, scene);
+    };
+    out.line(inner, "{ " + joined(term.parameters, assignment) + " }", joined(term.parameters, &Parameter::unit));
+  }
+}
+
+void writeTerms(Writer& out, std::string_view name, const Scene& scene) {
+  Writer lines;
+  if (name == kSpringsTable && scene.damping == Damping::Axial) lines.line("damping", "\"axial\"");
+  for (const ForceTerm* term : forceTerms()) {
+    if (partsOf(term->parameters.front().key).table == name) writeTerm(lines, *term, scene);
+  }
+  const std::string text = lines.text();
+  if (text.empty()) return;
+  out.table("[" + std::string(name) + "]");
+  out.append(text);
 }
 
 void writeEvents(Writer& out, const Scene& scene) {
@@ -138,8 +152,7 @@ std::string sceneToToml(const Scene& scene, std::string_view comment) {
   out.line("title", quoted(scene.title));
   if (!scene.shows.empty()) out.line("shows", quoted(scene.shows));
   writeSheet(out, scene);
-  writeSprings(out, scene);
-  writeWorld(out, scene);
+  for (const std::string_view name : tablesOfTerms()) writeTerms(out, name, scene);
   writeEvents(out, scene);
   writeRun(out, scene);
   return out.text();

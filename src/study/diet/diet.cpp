@@ -86,15 +86,15 @@ bool better(const DietRow& a, const DietRow& b) {
 
 /// The row of a change on top of `base`: of several ways the cheapest within the tolerance, or where there is none
 /// the one that loses least. Nothing where the change does not apply.
-std::optional<DietRow> bestOf(Change change, const DietRow& base, const Measures& measures) {
+std::optional<DietRow> bestOf(const Change& change, const DietRow& base, const Measures& measures) {
   std::optional<DietRow> best;
   for (const Changed& changed : changesOf(base.scene, change)) {
-    if (change == Change::Method && leastSeconds(changed.scene, measures.plan) > base.seconds) continue;
+    if (change.kind == Change::Method && leastSeconds(changed.scene, measures.plan) > base.seconds) continue;
     const DietRow next = rowOf(changed, measures);
     if (measures.progress.stopped()) return std::nullopt;
-    if (change == Change::Method && !(next.seconds < (1 - kSameCost) * base.seconds)) continue;
+    if (change.kind == Change::Method && !(next.seconds < (1 - kSameCost) * base.seconds)) continue;
     if (!best || better(next, *best)) best = next;
-    if (change == Change::Step && !next.within) break;
+    if (change.kind == Change::Step && !next.within) break;
   }
   return best;
 }
@@ -104,10 +104,11 @@ using ChangeRow = std::pair<Change, DietRow>;
 /// Every change that applies, alone.
 std::vector<ChangeRow> aloneOn(const DietRow& written, const Measures& measures) {
   std::vector<ChangeRow> alone;
-  for (std::size_t k = 0; k < kChanges.size() && !measures.progress.stopped(); ++k) {
-    measures.progress.advanceTo(kAloneShare * static_cast<double>(k) / kChanges.size());
-    if (std::optional<DietRow> best = bestOf(kChanges.at(k), written, measures)) {
-      alone.emplace_back(kChanges.at(k), std::move(*best));
+  const std::vector<Change> changes = allChanges();
+  for (std::size_t k = 0; k < changes.size() && !measures.progress.stopped(); ++k) {
+    measures.progress.advanceTo(kAloneShare * static_cast<double>(k) / static_cast<double>(changes.size()));
+    if (std::optional<DietRow> best = bestOf(changes[k], written, measures)) {
+      alone.emplace_back(changes[k], std::move(*best));
     }
   }
   return alone;

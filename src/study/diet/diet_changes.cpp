@@ -1,10 +1,11 @@
-// Leaner scenes.
+// Makes each leaner scene by copying the scene and changing one thing in it.
 #include "study/diet/diet_changes.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
+
+#include <fmt/core.h>
 
 #include "study/limits/stability.h"
 #include "tyg/methods.h"
@@ -15,37 +16,23 @@ namespace {
 
 constexpr int kFewestSteps = 20;  // of a run: longer ones would leave out sample times
 
-std::string stepWords(const Scene& scene) {
-  std::ostringstream words;
-  words.precision(3);
-  words << "step " << 1000 * scene.dt << " ms";
-  return words.str();
+std::vector<Changed> withoutTerm(Scene scene, const ForceTerm& term) {
+  if (!hasTerm(scene, term)) return {};
+  leaveOut(scene, term);
+  return {{fmt::format("no {}", term.name), std::move(scene)}};
 }
 
-std::vector<Changed> withoutFamily(Scene scene, SpringFamily Scene::*family, const char* words) {
-  if (!(scene.*family).present()) return {};
-  scene.*family = {};
-  return {{words, std::move(scene)}};
-}
-
-std::vector<Changed> withoutSpringDamping(Scene scene) {
-  if (scene.structural.kd == 0 && scene.shear.kd == 0 && scene.bend.kd == 0) return {};
-  scene.structural.kd = scene.shear.kd = scene.bend.kd = 0;
-  return {{"no spring damping", std::move(scene)}};
-}
-
-std::vector<Changed> withoutDrag(Scene scene) {
-  if (scene.drag == 0) return {};
-  scene.drag = 0;
-  return {{"no drag", std::move(scene)}};
+std::vector<Changed> withUndampedSprings(const Scene& scene) {
+  Scene undamped = withoutSpringDamping(scene);
+  if (undamped == scene) return {};
+  return {{"no spring damping", std::move(undamped)}};
 }
 
 std::vector<Changed> onHalfTheSheet(const Scene& scene) {
   const int columns = (scene.columns + 1) / 2, rows = (scene.rows + 1) / 2;
   const bool smaller = columns < scene.columns || rows < scene.rows;
   if (!smaller || std::max(columns, rows) < 2) return {};
-  const std::string words = "sheet " + std::to_string(columns) + "x" + std::to_string(rows);
-  return {{words, withSheet(scene, columns, rows)}};
+  return {{fmt::format("sheet {}x{}", columns, rows), withSheet(scene, columns, rows)}};
 }
 
 std::vector<Changed> inFloat(Scene scene) {
@@ -58,10 +45,7 @@ std::vector<Changed> withLongerSteps(Scene scene) {
   const Method& method = findMethod(scene.integrator);
   if (method.adaptive) {
     scene.tolerance *= 10;
-    std::ostringstream words;
-    words.precision(2);
-    words << "tolerance " << scene.tolerance << " m";
-    return {{words.str(), std::move(scene)}};
+    return {{fmt::format("tolerance {:.2g} m", scene.tolerance), std::move(scene)}};
   }
   const double limit = kShareOfLimit * restLatticeLimit(scene, method), longest = scene.duration / kFewestSteps;
   std::vector<double> steps;
@@ -73,7 +57,7 @@ std::vector<Changed> withLongerSteps(Scene scene) {
   std::vector<Changed> changes;
   for (const double step : steps) {
     scene.dt = step;
-    changes.push_back({stepWords(scene), scene});
+    changes.push_back({fmt::format("step {:.3g} ms", 1000 * scene.dt), scene});
   }
   return changes;
 }
@@ -93,18 +77,28 @@ std::vector<Changed> byOtherMethods(const Scene& scene) {
 
 }  // namespace
 
-std::vector<Changed> changesOf(const Scene& scene, Change change) {
-  switch (change) {
-    case Change::Structural:
-      return withoutFamily(scene, &Scene::structural, "no structural");
-    case Change::Bend:
-      return withoutFamily(scene, &Scene::bend, "no bend");
-    case Change::Shear:
-      return withoutFamily(scene, &Scene::shear, "no shear");
+std::vector<Change> allChanges() {
+  std::vector<Change> changes;
+  const auto addTerms = [&](bool springs) {
+    for (const ForceTerm* term : forceTerms()) {
+      if (term->mayBeLeftOut && term->family.has_value() == springs) changes.push_back({Change::LeaveOut, term});
+    }
+  };
+  addTerms(true);
+  changes.push_back({Change::SpringDamping});
+  addTerms(false);
+  for (const Change::Kind kind : {Change::HalfSheet, Change::Float, Change::Step, Change::Method}) {
+    changes.push_back({kind});
+  }
+  return changes;
+}
+
+std::vector<Changed> changesOf(const Scene& scene, const Change& change) {
+  switch (change.kind) {
+    case Change::LeaveOut:
+      return withoutTerm(scene, *change.term);
     case Change::SpringDamping:
-      return withoutSpringDamping(scene);
-    case Change::Drag:
-      return withoutDrag(scene);
+      return withUndampedSprings(scene);
     case Change::HalfSheet:
       return onHalfTheSheet(scene);
     case Change::Float:
@@ -117,8 +111,8 @@ std::vector<Changed> changesOf(const Scene& scene, Change change) {
   return byOtherMethods(scene);
 }
 
-bool repeats(Change change) {
-  return change == Change::HalfSheet || change == Change::Step || change == Change::Method;
+bool repeats(const Change& change) {
+  return change.kind == Change::HalfSheet || change.kind == Change::Step || change.kind == Change::Method;
 }
 
 bool advisable(const Method& method) { return method.name != "report-rk4"; }

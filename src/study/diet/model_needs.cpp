@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <sstream>
+
+#include <fmt/core.h>
 
 #include "study/motion/resampled.h"
 #include "tyg/methods.h"
@@ -28,8 +29,8 @@ class NeedFinder {
     if (scene_.columns > 1 && scene_.rows > 1) {
       const int columns = 2 * scene_.columns - 1, rows = 2 * scene_.rows - 1;
       if (std::max(columns, rows) <= kLargestCount) {
-        compare(Need::Kind::Sheet, "sheet " + std::to_string(columns) + "x" + std::to_string(rows),
-                exactly(withSheet(scene_, columns, rows)), findMethod("dopri54"), kSheetShare, reference_.motion);
+        compare(Need::Kind::Sheet, fmt::format("sheet {}x{}", columns, rows), exactly(withSheet(scene_, columns, rows)),
+                findMethod("dopri54"), kSheetShare, reference_.motion);
       }
     }
     return std::move(needs_);
@@ -49,15 +50,9 @@ class NeedFinder {
   }
 
   [[nodiscard]] std::string halfStepWords() const {
-    std::ostringstream words;
-    words.precision(3);
     const Scene half = halfStep();
-    if (findMethod(half.integrator).adaptive) {
-      words << "tolerance " << half.tolerance << " m";
-    } else {
-      words << "step " << 1000 * half.dt << " ms";
-    }
-    return words.str();
+    return findMethod(half.integrator).adaptive ? fmt::format("tolerance {:.3g} m", half.tolerance)
+                                                : fmt::format("step {:.3g} ms", 1000 * half.dt);
   }
 
   SampledMotion run(const Scene& scene, const Method& method, double share) {

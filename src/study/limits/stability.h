@@ -10,7 +10,7 @@
 
 namespace tyg {
 
-/// Largest stable step (s) of a method over the waves of the scene's lattice at rest, damping and drag included. The
+/// Largest stable step (s) of a method over the waves of the scene's lattice at rest, all damping included. The
 /// lattice is taken as unbounded, so pins and edges can only make the true limit larger. 0 where no step is stable; NaN
 /// where the method has no limit or nothing on the sheet sets one (free fall).
 double restLatticeLimit(const Scene& scene, const Method& method);

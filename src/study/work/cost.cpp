@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/forces/term.h"
 #include "tyg/methods.h"
 
 namespace tyg {
@@ -72,11 +73,12 @@ class Bursts {
 /// Everything that a unit's cost depends on. The step counts only for methods whose solve depends on it.
 std::string keyOf(const Scene& scene, int threads) {
   const Method& method = findMethod(scene.integrator);
-  std::string key =
-      fmt::format("{} {} {}x{} {}{}{}", scene.integrator, nameOf(scene.precision), scene.columns, scene.rows, threads,
-                  scene.damping == Damping::Axial ? " axial" : "", scene.drag > 0 ? " drag" : "");
-  for (const SpringFamily& family : {scene.structural, scene.shear, scene.bend}) {
-    key += fmt::format(" {:d}{:d}", family.ks > 0, family.kd > 0);
+  std::string key = fmt::format("{} {} {}x{} {}{}", scene.integrator, nameOf(scene.precision), scene.columns,
+                                scene.rows, threads, scene.damping == Damping::Axial ? " axial" : "");
+  for (const ForceTerm* term : forceTerms()) {
+    for (const Parameter& parameter : term->parameters) {
+      if (parameter.get(scene) != Vec3{}) key += fmt::format(" {}", parameter.key);
+    }
   }
   // A Chebyshev method's stages follow its step too: long chains of them share what a step costs besides.
   if (workVaries(method) || method.stableStepOfScene != nullptr) key += fmt::format(" {:g}", scene.dt);

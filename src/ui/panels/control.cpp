@@ -1,4 +1,4 @@
-// See control.h. Each field shows the scene in use; what a person does to it makes a scene that is wanted. A change
+// Each field shows the scene in use; what a person does to it makes a scene that is wanted. A change
 // that restarts the cloth waits until the mouse or the keyboard lets go of its field, one that does not is taken at
 // once.
 #include "ui/panels/control.h"
@@ -12,9 +12,11 @@
 #include <string>
 #include <utility>
 
+#include <fmt/core.h>
+
+#include "core/forces/term.h"
 #include "tyg/methods.h"
 #include "ui/overlay.h"
-#include "util/text.h"
 #include "viewer/edits.h"
 #include "viewer/push_tool.h"
 #include "viewer/viewer.h"
@@ -22,12 +24,10 @@
 namespace tyg {
 namespace {
 
-constexpr double kShortestMs = 1e-3, kLongestMs = 100;      // of the step's slider
-constexpr double kFinestMm = 1e-7, kCoarsestMm = 100;       // of the tolerance's
-constexpr double kMostStiffness = 1e5, kMostDamping = 100;  // N/m, N s/m
-constexpr double kMostDrag = 1, kMostGravity = 100;         // N s/m, m/s2
-constexpr int kMostParticles = 512;                         // in a row or column, set by hand
-constexpr float kLabels = 4.6F;                             // width of the names, in sizes of the text
+constexpr double kShortestMs = 1e-3, kLongestMs = 100;  // of the step's slider
+constexpr double kFinestMm = 1e-7, kCoarsestMm = 100;   // of the tolerance's
+constexpr int kMostParticles = 512;                     // in a row or column, set by hand
+constexpr float kLabels = 4.6F;                         // width of the names, in sizes of the text
 constexpr int kLog = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp;
 
 void name(const char* text, float size) {
@@ -176,7 +176,7 @@ class ControlPanel final : public Panel {
     ImGui::InputInt2("##sheet", size_.data());
     typing_ = ImGui::IsItemActive();
     const bool typed = ImGui::IsItemDeactivatedAfterEdit();
-    tip(scope, formatted("columns and rows of particles, %.4g mm apart", 1e3 * wanted.spacing));
+    tip(scope, fmt::format("columns and rows of particles, {:.4g} mm apart", 1e3 * wanted.spacing));
     if (typed) resize(scope.viewer, wanted);
     name("precision", scope.size);
     constexpr std::array kPrecisions{"float, 4 bytes", "double, 8 bytes"};
@@ -196,7 +196,8 @@ class ControlPanel final : public Panel {
       const int typed = std::exchange(size_.at(k), std::clamp(size_.at(k), 1, kMostParticles));
       if (typed == size_.at(k)) continue;
       if (!clamped_.empty()) clamped_ += ", ";
-      clamped_ += formatted("%s: %d is the %s", k == 0 ? "columns" : "rows", size_.at(k), typed < 1 ? "least" : "most");
+      clamped_ +=
+          fmt::format("{}: {} is the {}", k == 0 ? "columns" : "rows", size_.at(k), typed < 1 ? "least" : "most");
     }
     try {
       wanted = withSheet(wanted, size_[0], size_[1]);
@@ -216,36 +217,48 @@ class ControlPanel final : public Panel {
       ImGui::TableSetColumnIndex(column);
       ImGui::TextDisabled("%s", column == 1 ? "stiffness, N/m" : "damping, N s/m");
     }
-    family("structural", wanted.structural), family("shear", wanted.shear), family("bend", wanted.bend);
+    for (const ForceTerm* term : forceTerms()) {
+      if (!term->family) continue;
+      ImGui::TableNextRow();
+      ImGui::TableSetColumnIndex(0);
+      ImGui::AlignTextToFramePadding();
+      ImGui::TextUnformatted(term->name.data(), term->name.data() + term->name.size());
+      for (const Parameter& parameter : term->parameters) {
+        ImGui::TableSetColumnIndex(parameter.role == Role::Stiffness ? 1 : 2);
+        ImGui::SetNextItemWidth(-1);
+        field(parameter, "", wanted);
+      }
+    }
     ImGui::EndTable();
   }
 
-  static void family(const char* text, SpringFamily& springs) {
-    ImGui::PushID(text);
-    ImGui::TableNextRow();
-    ImGui::TableSetColumnIndex(0);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(text);
-    ImGui::TableSetColumnIndex(1);
-    ImGui::SetNextItemWidth(-1);
-    slider("##ks", springs.ks, 1, {0, kMostStiffness}, "%.4g");
-    ImGui::TableSetColumnIndex(2);
-    ImGui::SetNextItemWidth(-1);
-    slider("##kd", springs.kd, 1, {0, kMostDamping}, "%.3g");
-    ImGui::PopID();
+  /// A logarithmic slider from 0, or for a vector three fields in a row. `unit` is shown in it.
+  static void field(const Parameter& parameter, std::string_view unit, Scene& wanted) {
+    const std::string id = fmt::format("##{}", parameter.key);
+    const std::string format = fmt::format("%.{}g{}{}", parameter.digits, unit.empty() ? "" : " ", unit);
+    Vec3 value = parameter.get(wanted);
+    if (parameter.count == 1) {
+      if (slider(id.c_str(), value.x, 1, {0, parameter.mostByHand}, format.c_str())) parameter.set(wanted, value);
+      return;
+    }
+    std::array<double, 3> xyz{value.x, value.y, value.z};
+    const double least = -parameter.mostByHand;
+    if (ImGui::DragScalarN(id.c_str(), ImGuiDataType_Double, xyz.data(), 3, 0.05F, &least, &parameter.mostByHand,
+                           format.c_str(), ImGuiSliderFlags_AlwaysClamp)) {
+      parameter.set(wanted, {xyz[0], xyz[1], xyz[2]});
+    }
   }
 
+  /// The parameters of all terms but the springs.
   static void drawWorld(const PanelScope& scope, Scene& wanted) {
-    name("gravity", scope.size);
-    std::array<double, 3> gravity{wanted.gravity.x, wanted.gravity.y, wanted.gravity.z};
-    constexpr double kLow = -kMostGravity;
-    if (ImGui::DragScalarN("##gravity", ImGuiDataType_Double, gravity.data(), 3, 0.05F, &kLow, &kMostGravity,
-                           "%.4g m/s\u00b2", ImGuiSliderFlags_AlwaysClamp)) {
-      wanted.gravity = {gravity[0], gravity[1], gravity[2]};
+    for (const ForceTerm* term : forceTerms()) {
+      if (term->family) continue;
+      for (const Parameter& parameter : term->parameters) {
+        name(std::string(parameter.label).c_str(), scope.size);
+        field(parameter, parameter.unit, wanted);
+        if (parameter.count == 3) tip(scope, "along x, y (up) and z");
+      }
     }
-    tip(scope, "along x, y (up) and z");
-    name("air drag", scope.size);
-    slider("##drag", wanted.drag, 1, {0, kMostDrag}, "%.3g N s/m");
   }
 
   void drawEdits(const PanelScope& scope, Scene& wanted) {

@@ -1,0 +1,95 @@
+// Changes of a scene's parameters while it moves: what methods do anew in place is what a new start would do.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "core/forces/parameter.h"
+#include "integrators/spring_list.h"
+#include "test_systems.h"
+#include "tyg/methods.h"
+#include "tyg/simulation.h"
+
+namespace tyg::test {
+namespace {
+
+Scene tickingSheet(Precision precision) {
+  Scene scene = softSheet(Damping::Relative);
+  scene.dt = 1.0 / 256;
+  scene.tolerance = 1e-4;
+  scene.precision = precision;
+  return scene;
+}
+
+/// Scenes that follow one another: each parameter twice and once gone, families that come and go among them.
+std::vector<Scene> changedScenes(Scene scene) {
+  std::vector<Scene> scenes;
+  for (const Parameter& parameter : liveParameters()) {
+    const Vec3 value = parameter.get(scene);
+    for (const double factor : {0.5, parameter.allowed == Allowed::Positive ? 2.0 : 0.0, 0.25}) {
+      parameter.set(scene, {factor * value.x, factor * value.y, factor * value.z});
+      scenes.push_back(scene);
+    }
+  }
+  scene.bend = {}, scenes.push_back(scene);
+  scene.bend = {5, 0.1}, scenes.push_back(scene);
+  return scenes;
+}
+
+TEST(LiveChanges, GoOnAsANewIntegratorWould) {
+  for (const Precision precision : {Precision::Float, Precision::Double}) {
+    for (const Method& method : methods()) {
+      Simulation inPlace(tickingSheet(precision), method), anew(tickingSheet(precision), method);
+      for (const Scene& scene : changedScenes(tickingSheet(precision))) {
+        inPlace.useLiveParameters(scene), anew.useLiveParameters(scene);
+        anew.useMethod(method);
+        inPlace.tick(3), anew.tick(3);
+        ASSERT_EQ(inPlace.hash(), anew.hash()) << method.name;
+        ASSERT_EQ(inPlace.status(), Status::Ok) << method.name;
+      }
+    }
+  }
+}
+
+TEST(LiveChanges, OfGravityKeepTheStartShapeAtHeightZero) {
+  Scene scene = tickingSheet(Precision::Float);
+  scene.displacements = {{.particle = Place{.name = "middle"}, .by = {0.1, 0.2, 0.3}}};
+  Simulation simulation(scene, findMethod("leapfrog"));
+  EXPECT_EQ(simulation.ledger().gravitational, 0);
+  for (const Vec3& gravity : {Vec3{1, 2, 3}, Vec3{}, Vec3{0, -9.81, 0}}) {
+    scene.gravity = gravity;
+    simulation.useLiveParameters(scene);
+    EXPECT_EQ(simulation.ledger().gravitational, 0);
+  }
+}
+
+TEST(LiveChanges, LeaveALiveStableStepThatIsThatOfANewSimulation) {
+  const Method& method = findMethod("leapfrog");
+  Scene scene = tickingSheet(Precision::Double);
+  Simulation changed(scene, method);
+  changed.liveStableStep();
+  scene.structural.ks *= 4, scene.bend = {};
+  changed.useLiveParameters(scene);
+  Simulation fresh(scene, method);
+  for (int call = 0; call < 5; ++call) EXPECT_EQ(changed.liveStableStep(), fresh.liveStableStep());
+}
+
+TEST(LiveChanges, OfSpringsListThemAsANewListWould) {
+  Scene scene = softSheet(Damping::Relative);
+  const Sheet sheet = makeSheet(scene);
+  std::vector<ListedSpring> springs = listSprings(scene, sheet);
+  for (const Scene& now : changedScenes(scene)) {
+    relistSprings(springs, scene, now, sheet);
+    const std::vector<ListedSpring> expected = listSprings(now, sheet);
+    ASSERT_EQ(springs.size(), expected.size());
+    for (std::size_t k = 0; k < springs.size(); ++k) {
+      EXPECT_EQ(springs[k].first, expected[k].first);
+      EXPECT_EQ(springs[k].ks, expected[k].ks);
+      EXPECT_EQ(springs[k].kd, expected[k].kd);
+      EXPECT_EQ(springs[k].rest, expected[k].rest);
+    }
+    scene = now;
+  }
+}
+
+}  // namespace
+}  // namespace tyg::test
