@@ -126,7 +126,7 @@ class Soak {
     if (scene != viewer_.scenes().scene()) viewer_.scenes().use(scene);
     key('R'), frame();
     key(' ');
-    for (double k = 0; k * viewer_.run().speed() < kFramesToMove; ++k) frame();
+    for (double k = 0; k * viewer_.run().frameClock().speed() < kFramesToMove; ++k) frame();
     if (viewer_.run().state() == RunState::Running && !(viewer_.run().shown().time() > 0))
       return scene.name + " does not move";
     return {};

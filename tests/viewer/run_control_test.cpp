@@ -107,23 +107,23 @@ TEST_F(ViewerTest, AStepThatIsDraggedPastItsLimitIsWarnedOfBeforeItBreaks) {
 
 TEST_F(ViewerTest, SlowMotionMakesTimeSlower) {
   tap(';'), tap(';');
-  EXPECT_EQ(viewer_.run().speed(), 0.25);
+  EXPECT_EQ(viewer_.run().frameClock().speed(), 0.25);
   tap(' ');
   frames(60);
   EXPECT_NEAR(viewer_.run().shown().time(), 0.25, 0.01);
   tap('\''), tap('\''), tap('\'');
-  EXPECT_EQ(viewer_.run().speed(), 1);
+  EXPECT_EQ(viewer_.run().frameClock().speed(), 1);
 }
 
 TEST_F(ViewerTest, ASpeedThatIsChosenInAReplayOutlastsIt) {
   tap(' ');
   frames(90);
   tap('J'), tap('\''), tap('\'');
-  const double chosen = viewer_.run().speed();
+  const double chosen = viewer_.run().frameClock().speed();
   EXPECT_EQ(chosen, 0.5);
   for (int frame = 0; frame < 600 && viewer_.run().state() == RunState::Running; ++frame) frames(1);
   EXPECT_EQ(viewer_.run().state(), RunState::Paused);
-  EXPECT_EQ(viewer_.run().speed(), chosen);
+  EXPECT_EQ(viewer_.run().frameClock().speed(), chosen);
 }
 
 TEST_F(ViewerTest, ARestartSurvivesARecordThatCannotBeKept) {
@@ -222,8 +222,8 @@ TEST_F(StallingViewerTest, NoFrameWaitsForATickThatDoesNotEnd) {
   tap(' ');
   frames(3, 0.5);
   EXPECT_EQ(viewer_.run().state(), RunState::Frozen);
-  EXPECT_NE(viewer_.run().failure().message.find("dopri54 came to a stand at 0.000 s"), std::string::npos)
-      << viewer_.run().failure().message;
+  EXPECT_NE(viewer_.run().failure().message().find("dopri54 stopped at 0.000 s"), std::string::npos)
+      << viewer_.run().failure().message();
   EXPECT_EQ(ticks(), 0);
   look_ = 0;
   tap('M');

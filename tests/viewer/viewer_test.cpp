@@ -128,7 +128,7 @@ TEST_F(ViewerTest, WhatIsThrownIsShownAndFreezes) {
   viewer_.run().freeze("the driver gave up");
   tap(' ');
   EXPECT_EQ(viewer_.run().state(), RunState::Frozen);
-  EXPECT_EQ(viewer_.run().failure().message, "the driver gave up");
+  EXPECT_EQ(viewer_.run().failure().message(), "the driver gave up");
   tap('R');
   EXPECT_EQ(viewer_.run().state(), RunState::Waiting);
 }
