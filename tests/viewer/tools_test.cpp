@@ -1,10 +1,10 @@
 // What the left button does, without a window: the push tool, and what holds for every tool of the table.
-#include "viewer/tools/tools.h"
+#include "viewer/tools.h"
 
 #include <set>
 
 #include <gtest/gtest.h>
-#include "viewer/tools/push_tool.h"
+#include "viewer/push_tool.h"
 
 #include "viewer/viewer_fixture.h"
 
@@ -36,7 +36,7 @@ TEST_F(ViewerTest, AClickPushesForATenthOfASecondInWholeTicks) {
   release(kLeftButton);
   const EventLog log = viewer_.run().record();
   ASSERT_EQ(log.events.size(), 1U);
-  EXPECT_EQ(log.events[0].ticks, 50);  // 0.1 s of 2 ms
+  EXPECT_EQ(std::get<PushEvent>(log.events[0].action).ticks, 50);  // 0.1 s of 2 ms
 }
 
 TEST_F(ViewerTest, HoldingTheButtonGoesOnWithoutDoublingTheForce) {
@@ -46,9 +46,10 @@ TEST_F(ViewerTest, HoldingTheButtonGoesOnWithoutDoublingTheForce) {
   release(kLeftButton);
   const EventLog log = viewer_.run().record();
   ASSERT_GT(log.events.size(), 5U);
+  const auto push = [&log](std::size_t index) { return std::get<PushEvent>(log.events[index].action); };
   for (std::size_t next = 1; next < log.events.size(); ++next) {
-    EXPECT_EQ(log.events[next].tick, log.events[next - 1].tick + log.events[next - 1].ticks);
-    EXPECT_EQ(log.events[next].force, log.events[0].force);
+    EXPECT_EQ(log.events[next].tick, log.events[next - 1].tick + push(next - 1).ticks);
+    EXPECT_EQ(push(next).force, push(0).force);
   }
   EXPECT_EQ(viewer_.logLine().pushes, 1);
 }
