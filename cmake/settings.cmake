@@ -25,8 +25,10 @@ function(tyg_library room)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${room}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "row_kernel_level\\.cpp$")
   add_library(tyg_${room} STATIC ${sources} ${ARGN})
-  target_include_directories(tyg_${room} PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
-  target_link_libraries(tyg_${room} PRIVATE tyg_settings)
+  target_include_directories(tyg_${room} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:include>)
+  target_compile_features(tyg_${room} PUBLIC cxx_std_20)
+  target_link_libraries(tyg_${room} PRIVATE $<BUILD_INTERFACE:tyg_settings>)
 endfunction()
 
 # The force kernel is compiled once per precision and vector level from one source; the program picks at start-up.

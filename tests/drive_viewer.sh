@@ -116,16 +116,16 @@ xdotool mousemove --window "$window" 160 575 click 1
 until_true "the button takes the safe step" step_below 0.0043
 until_true "and it runs on" in_state running
 
-# The line of time.
+# The time line.
 press space
-until_true "it pauses for the line of time" in_state paused
+until_true "it pauses for the time line" in_state paused
 few_frames
 late=$sim_s
 xdotool mousemove --window "$window" 640 634 mousedown 1
-until_true "the middle of the line of time is an earlier moment" earlier_than "$(awk "BEGIN { print 0.8 * $late }")"
+until_true "the middle of the time line is an earlier time" earlier_than "$(awk "BEGIN { print 0.8 * $late }")"
 xdotool mousemove --window "$window" 1270 634 mouseup 1
 until_true "its right end is the last moment" at_time "$late"
-in_state paused || fail "the line of time does not pause"
+in_state paused || fail "the time line does not pause"
 
 press semicolon
 press r

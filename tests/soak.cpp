@@ -1,4 +1,4 @@
-// Hours of random deeds at the viewer and its panels, without a window: keys, clicks, drags, wheel, resizes, scenes.
+// Hours of random input to the viewer and its panels, without a window: keys, clicks, drags, wheel, resizes, scenes.
 //   soak [HOURS [SEED]]      default 2 hours; meant for a build with the address sanitizer
 // Time is the viewer's own: frames follow each other without waiting, and what a frame may take of a second it takes of
 // a twentieth of one. Ends with exit code 1 where a position is not finite, a restarted cloth does not move, or memory
@@ -11,11 +11,15 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <random>
 #include <string>
 
 #include "tyg/methods.h"
+#include "ui/frame_capture.h"
+#include "ui/hud.h"
+#include "ui/input_router.h"
 #include "ui/panels/panels.h"
 #include "viewer/viewer.h"
 
@@ -38,7 +42,10 @@ class Soak {
     int width = 0, height = 0;
     ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
     panels_ = std::make_unique<Panels>(18.0F, viewer_);
-    viewer_.resize(size_, margins());
+    const TextFonts fonts{ImGui::GetIO().Fonts->Fonts[0], ImGui::GetIO().Fonts->Fonts[0], 18};
+    hud_ = std::make_unique<Hud>(fonts);
+    router_ = windowRouter(*panels_, *hud_, capture_, viewer_);
+    viewer_.resize(size_, insets());
   }
   ~Soak() {
     panels_.reset();
@@ -54,7 +61,7 @@ class Soak {
       if (k % kFramesPerScene == 0) {
         if (std::string trouble = begin(); !trouble.empty()) return trouble;
       }
-      if (chance(0.5)) deed();
+      if (chance(0.5)) randomInput();
       frame();
       for (const float number : viewer_.run().shown().positions()) {
         if (!std::isfinite(number)) return "a shown position is not finite in frame " + std::to_string(k);
@@ -63,8 +70,8 @@ class Soak {
       if (k % kFramesPerTelling == 0 && k > 0) tell(k);
     }
     std::printf(
-        "%ld frames, %.0f s of the viewer's time, %ld deeds, %ld freezes; memory at most %.0f MB, then %.0f MB\n",
-        frames, double(frames) * kFrame, deeds_, freezes_, before, after);
+        "%ld frames, %.0f s of the viewer's time, %ld inputs, %ld freezes; memory at most %.0f MB, then %.0f MB\n",
+        frames, double(frames) * kFrame, inputs_, freezes_, before, after);
     return after > kGrowth * before + kSlackMegabytes ? "memory keeps growing" : "";
   }
 
@@ -82,13 +89,13 @@ class Soak {
     return resident * double(sysconf(_SC_PAGESIZE)) / 1e6;
   }
   void tell(long frames) const {
-    std::fprintf(stderr, "soak: %.0f minutes of the viewer's time, %ld deeds, %.0f MB, %s\n",
-                 double(frames) * kFrame / 60, deeds_, megabytes(), viewer_.scenes().scene().name.c_str());
+    std::fprintf(stderr, "soak: %.0f minutes of the viewer's time, %ld inputs, %.0f MB, %s\n",
+                 double(frames) * kFrame / 60, inputs_, megabytes(), viewer_.scenes().scene().name.c_str());
   }
   bool chance(double share) { return std::uniform_real_distribution<double>(0, 1)(random_) < share; }
   int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
 
-  [[nodiscard]] Insets margins() const {
+  [[nodiscard]] Insets insets() const {
     return {.left = int(panels_->width(Edge::Left)),
             .right = int(panels_->width(Edge::Right)),
             .beside = panels_->beside()};
@@ -100,10 +107,11 @@ class Soak {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {float(size_.width), float(size_.height)};
     io.DeltaTime = float(kFrame);
-    viewer_.resize(size_, margins());
+    viewer_.resize(size_, insets());
     viewer_.frame();
     panels_->follow(viewer_);
     ImGui::NewFrame();
+    hud_->draw(viewer_, *panels_);
     panels_->draw(viewer_);
     ImGui::Render();
     freezes_ += viewer_.run().state() == RunState::Frozen && !frozen_ ? 1 : 0;
@@ -118,25 +126,20 @@ class Soak {
     if (scene != viewer_.scenes().scene()) viewer_.scenes().use(scene);
     key('R'), frame();
     key(' ');
-    for (double k = 0; k * viewer_.run().speed() < kFramesToMove; ++k) frame();
+    for (double k = 0; k * viewer_.run().frameClock().speed() < kFramesToMove; ++k) frame();
     if (viewer_.run().state() == RunState::Running && !(viewer_.run().shown().time() > 0))
       return scene.name + " does not move";
     return {};
   }
 
-  void send(const WindowEvent& event) {
-    const ImGuiIO& io = ImGui::GetIO();
-    const bool press = event.kind == WindowEvent::Kind::Press;
-    const bool taken = press && (isMouse(event.key) ? io.WantCaptureMouse : io.WantCaptureKeyboard);
-    if (!taken && !panels_->handle(event, viewer_)) viewer_.handle(event);
-  }
+  void send(const WindowEvent& event) { router_.route(event); }
   void key(KeyCode code) {
     send({.kind = WindowEvent::Kind::Press, .key = code, .control = chance(0.1), .shift = chance(0.1)});
     send({.kind = WindowEvent::Kind::Release, .key = code});
   }
 
-  void deed() {
-    ++deeds_;
+  void randomInput() {
+    ++inputs_;
     switch (below(8)) {
       case 0:
       case 1:
@@ -184,8 +187,11 @@ class Soak {
   double frameTime_ = 0, frameStart_ = real();
   Viewer viewer_;
   std::unique_ptr<Panels> panels_;
+  std::unique_ptr<Hud> hud_;
+  FrameCapture capture_{std::filesystem::temp_directory_path()};  ///< writes nothing: no frame is read back
+  InputRouter router_;
   Extent size_{1280, 720};
-  long deeds_ = 0, freezes_ = 0;
+  long inputs_ = 0, freezes_ = 0;
   bool frozen_ = false;
 };
 

@@ -1,5 +1,5 @@
-// What the table of methods says of a time integration method: its names, its order, its cost, its stability limit.
-// Must not know: how a method computes a step.
+// What is known of a time integration method, which moves a sheet: its names, its order, its cost, its stability limit.
+// Fourth of the headers to read. Must not know: how a method computes a step.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// The table of methods.
+// The table of methods, and finding one by its name. Fifth of the headers to read.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
-// A scene: everything that a simulation starts from, as plain data read from a TOML text.
-// Must not know: particles' present state, methods' code, files of results, windows.
+// A scene: everything that a simulation starts from, as plain data that a program fills in or reads from a TOML text.
+// Second of the headers to read. Must not know: the present state of particles, how methods work, results, windows.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
-// The sheet at rest: how many particles, where they start, which are pinned, which springs join them.
-// Must not know: the moving state, forces, methods.
+// The sheet at rest that a scene describes: how many particles, where they start, which are pinned, which springs join
+// them. Third of the headers to read. Must not know: the moving state, forces, methods.
 #pragma once
 
 #include <array>

@@ -9,6 +9,7 @@
 #include "tyg/input_error.h"
 #include "util/child_process.h"
 #include "util/file_names.h"
+#include "util/utf8.h"
 #include "util/whole_file.h"
 
 namespace tyg {
@@ -46,8 +47,9 @@ struct Movie::Impl {
       : file(path), ffmpeg(commandLine(file.temporary(), width, height, fps)) {}
 
   [[noreturn]] void refuse() const {
-    throw InputError("ffmpeg could not make the movie: " +
-                     (ffmpeg.printed().empty() ? "it gave no reason" : ffmpeg.printed()));
+    constexpr std::size_t kLongest = 2000;
+    const std::string reason(cutToBytes(ffmpeg.printed(), kLongest));
+    throw InputError("ffmpeg could not make the movie: " + (reason.empty() ? "it gave no reason" : reason));
   }
 };
 

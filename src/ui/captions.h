@@ -10,7 +10,7 @@
 
 namespace tyg {
 
-/// A line of a legend: a stroke of a colour (red, green, blue, 0..255) and what it stands for. Without a colour it is
+/// A line of a legend: a stroke of a colour (red, green, blue, 0..255) and what it means. Without a colour it is
 /// text alone.
 struct Caption {
   std::string text;

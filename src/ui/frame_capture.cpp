@@ -35,29 +35,29 @@ bool FrameCapture::handle(const WindowEvent& event) {
 
 void FrameCapture::toggleMovie(Viewer& viewer, Extent window) {
   tell(viewer.notes(), [&]() -> std::string {
-    if (keeper_.filming()) return keeper_.endMovie();
-    keeper_.beginMovie(viewer.scenes().scene().name, window.width, window.height);
+    if (files_.filming()) return files_.endMovie();
+    files_.beginMovie(viewer.scenes().scene().name, window.width, window.height);
     return {};
   });
 }
 
 void FrameCapture::film(Viewer& viewer, Extent window) {
   if (std::exchange(movieAsked_, false)) toggleMovie(viewer, window);
-  if (!keeper_.filming()) return;
+  if (!files_.filming()) return;
   readFramebuffer(window.width, window.height, pixels_);
-  tell(viewer.notes(), [&] { return keeper_.film(pixels_, viewer.run().now()); });
+  tell(viewer.notes(), [&] { return files_.film(pixels_, viewer.run().now()); });
 }
 
 void FrameCapture::takePicture(Viewer& viewer, Extent window) {
   // On the way to a past time, what is shown is not what the run's log would lead to.
   if (viewer.run().seeking() || !std::exchange(pictureAsked_, false)) return;
   readFramebuffer(window.width, window.height, pixels_);
-  tell(viewer.notes(), [&] { return keeper_.keep(pixels_, viewer.run().recordShown()); });
+  tell(viewer.notes(), [&] { return files_.keep(pixels_, viewer.run().recordShown()); });
 }
 
 std::string FrameCapture::filmingText() const {
-  if (!keeper_.filming()) return {};
-  return fmt::format("filming into {}  \u00b7  {:.1f} s  \u00b7  Z ends it", keeper_.movieName(), keeper_.filmed());
+  if (!files_.filming()) return {};
+  return fmt::format("filming into {}  \u00b7  {:.1f} s  \u00b7  Z ends it", files_.movieName(), files_.filmed());
 }
 
 }  // namespace tyg

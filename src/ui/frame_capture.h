@@ -6,7 +6,7 @@
 #include <string>
 
 #include "gfx/picture.h"
-#include "ui/keeper.h"
+#include "ui/capture_files.h"
 #include "viewer/viewer.h"
 
 namespace tyg {
@@ -14,7 +14,7 @@ namespace tyg {
 class FrameCapture {
  public:
   /// Files go into `folder`.
-  explicit FrameCapture(std::filesystem::path folder) : keeper_(std::move(folder)) {}
+  explicit FrameCapture(std::filesystem::path folder) : files_(std::move(folder)) {}
 
   /// True where the event was a key that asks for a picture, or for the beginning or end of a movie.
   bool handle(const WindowEvent& event);
@@ -25,12 +25,12 @@ class FrameCapture {
   /// `filming into NAME · 1.2 s · Z ends it`; empty while nothing is filmed.
   [[nodiscard]] std::string filmingText() const;
   /// Ends a movie that is still being filmed. Returns a sentence that names the file, or nothing. Throws InputError.
-  std::string end() { return keeper_.endMovie(); }
+  std::string end() { return files_.endMovie(); }
 
  private:
   void toggleMovie(Viewer& viewer, Extent window);
 
-  Keeper keeper_;
+  CaptureFiles files_;
   Picture pixels_;
   bool pictureAsked_ = false, movieAsked_ = false;
 };

@@ -25,8 +25,8 @@ Extent framebuffer() {
 
 std::vector<Buttons::Button> waysOut(const Viewer& viewer) {
   std::vector<Buttons::Button> buttons;
-  const bool canRunOn = viewer.run().simulation().status() == Status::Unstable && !viewer.run().failure().runsOn;
-  if (const auto& cure = viewer.run().failure().cure) {
+  const bool canRunOn = viewer.run().simulation().status() == Status::Unstable && !viewer.run().failure().runsOn();
+  if (const auto& cure = viewer.run().failure().cure()) {
     const std::string step = fmt::format("a step of {:.3g} ms", 1e3 * cure->step);
     if (cure->step > 0) buttons.push_back({"V", step, InputAction::SafeStep});
     if (cure->method != nullptr) buttons.push_back({"M", std::string(cure->method->name), InputAction::HoldingMethod});
@@ -107,8 +107,9 @@ float Hud::drawStatus(const Viewer& viewer) const {
   const Pace& pace = viewer.pace();
   StepText step;
   viewer.scenes().describeStep(step);
-  std::string text = fmt::format("{}  \u00b7  {}  \u00b7  t {:.3f} s{}  \u00b7  ", viewer.scenes().method().name,
-                                 step.data(), viewer.run().shown().time(), speedText(viewer.run().speed()));
+  std::string text =
+      fmt::format("{}  \u00b7  {}  \u00b7  t {:.3f} s{}  \u00b7  ", viewer.scenes().method().name, step.data(),
+                  viewer.run().shown().time(), speedText(viewer.run().frameClock().speed()));
   if (pace.framesPerSecond > 0) {
     text += fmt::format("{:.0f} frames/s  \u00b7  {:.0f} % simulating", pace.framesPerSecond, 100 * pace.simulating);
   } else {
@@ -144,12 +145,12 @@ void Hud::drawFailure(const Viewer& viewer, Middle& middle) {
   const float bottom = middle.top - kAbove * size_;
   const std::vector<Buttons::Button> buttons = waysOut(viewer);
   const float room = middle.to - middle.from - 4 * size_;
-  const ImVec2 extent = writer.extent(viewer.run().failure().message, room);
+  const ImVec2 extent = writer.extent(viewer.run().failure().message(), room);
   const float row = Buttons::height(writer, buttons, room);
   const float width = std::max(extent.x, std::min(room, Buttons::width(writer, buttons)));
   const ImVec2 at{0.5F * (middle.from + middle.to - width), bottom - row - 0.5F * size_ - extent.y};
   ground(writer, {at.x - 0.5F * size_, at.y - 0.4F * size_}, {at.x + width + 0.5F * size_, bottom}, middle);
-  writer.write(at, coloursOn(writer.background).warning, viewer.run().failure().message, room);
+  writer.write(at, coloursOn(writer.background).warning, viewer.run().failure().message(), room);
   buttons_.draw(writer, {at.x, at.y + extent.y + 0.5F * size_}, buttons, room);
   middle.top = at.y - 0.4F * size_;
 }
@@ -165,7 +166,7 @@ std::string Hud::promptText(const Viewer& viewer) const {
   }
   if (run.state() == RunState::Paused) return "paused  \u00b7  space goes on";
   if (run.asleep()) return "asleep: nothing moves  \u00b7  a push wakes it";
-  if (run.failure().runsOn) return "past its alarm: V takes a safe step, M a method that holds, R restarts";
+  if (run.failure().runsOn()) return "past its alarm: V takes a safe step, M a method that holds, R restarts";
   return hint_;
 }
 
@@ -174,7 +175,7 @@ void Hud::drawPrompt(const Viewer& viewer, Middle& middle) const {
   if (text.empty()) return;
   TextWriter writer = writerIn(viewer, middle);
   const bool noted = !viewer.notes().text().empty();
-  const bool warns = noted ? viewer.notes().warns() : viewer.run().failure().runsOn;
+  const bool warns = noted ? viewer.notes().warns() : viewer.run().failure().runsOn();
   const Colours& colours = coloursOn(writer.background);
   const RunState state = viewer.run().state();
   const bool prompts = state == RunState::Waiting || state == RunState::Paused;

@@ -1,4 +1,4 @@
-// Parts of the picture's overlay that show the state of time and of the step: the margin bar, the line of time that can
+// Parts of the picture's overlay that show the state of time and of the step: the margin bar, the time line, which can
 // be dragged, and buttons. Drawn with ImGui's draw lists. Must not know: windows, what a button's action does.
 #pragma once
 

@@ -80,7 +80,7 @@ void BackgroundStudy::replaceJob(std::optional<Job> job) {
   next_ = std::move(job);
 }
 
-const StudyProgress& BackgroundStudy::look() {
+const StudyProgress& BackgroundStudy::progress() {
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (lock.owns_lock() && seenChanges_ != changes_) {
     seen_ = told_;

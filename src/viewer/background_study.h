@@ -40,7 +40,7 @@ class BackgroundStudy {
   /// What a method costs is measured by this clock on the study's own thread: it should count what that thread has
   /// computed, so that other programs do not matter.
   explicit BackgroundStudy(Clock clock) : clock_(std::move(clock)) {}
-  /// Stops, and waits for the thread's next look at the stop sign: some steps of one run.
+  /// Stops, and waits until the thread notices it: some steps of one run.
   ~BackgroundStudy();
   BackgroundStudy(const BackgroundStudy&) = delete;
   BackgroundStudy& operator=(const BackgroundStudy&) = delete;
@@ -52,8 +52,8 @@ class BackgroundStudy {
   void stop();
   /// What is known by now. Never waits: where the thread is just handing something over it is what was known before.
   /// Valid until the next call. For the thread that called start().
-  const StudyProgress& look();
-  /// True until everything found has been seen by look().
+  const StudyProgress& progress();
+  /// True until everything found has been seen by progress().
   [[nodiscard]] bool running() const;
   /// The nice value of the thread, 19 where the system lets it be; 0 before the first start.
   [[nodiscard]] int niceness() const { return niceness_; }
@@ -78,7 +78,7 @@ class BackgroundStudy {
   std::atomic<double> fraction_{0};
   std::atomic<int> niceness_{0};
 
-  std::mutex mutex_;  ///< guards what stands below it; held for moments only
+  std::mutex mutex_;  ///< guards what is declared below it; held for very short times
   std::condition_variable woken_;
   std::optional<Job> next_;
   bool ending_ = false;

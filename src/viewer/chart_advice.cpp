@@ -49,12 +49,12 @@ ChartAdvice adviceOn(const std::vector<WorkRow>& rows, const Setting& present, c
   ChartAdvice advice{.present = presentSentence(place, present, scale), .better = {}};
   const BetterRows better = betterThan(rows, place);
   if (better.cheaper != nullptr) {
-    advice.better += "Cheaper, and no farther off: " + named(settingOf(*better.cheaper)) +
+    advice.better += "Cheaper and at least as accurate: " + named(settingOf(*better.cheaper)) +
                      fmt::format(", at {:.3g} ms, ", scale.cost(better.cheaper->seconds)) +
                      timesText(place.seconds / better.cheaper->seconds) + " cheaper. ";
   }
   if (better.closer != nullptr) {
-    advice.better += "Closer, and no dearer: " + named(settingOf(*better.closer)) +
+    advice.better += "More accurate at no greater cost: " + named(settingOf(*better.closer)) +
                      fmt::format(", error {:.3g} mm, ", 1e3 * better.closer->rmsError) +
                      timesText(place.error / better.closer->rmsError) + " smaller.";
   }

@@ -1,5 +1,5 @@
-// What the chart says in words: where the present setting stands and which measured setting would serve better.
-// Must not know: how the chart is drawn, windows.
+// What the chart says in words: how the present setting compares with the measured ones, and which of them would serve
+// better. Must not know: how the chart is drawn, windows.
 #pragma once
 
 #include <string>

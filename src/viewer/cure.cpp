@@ -83,7 +83,7 @@ std::string describeStall(const Simulation& simulation, double seconds, const Cu
   const std::string holds =
       cure.method != nullptr ? "; take " + name(*cure.method) + ", which holds with this step." : ".";
   return fmt::format(
-      "{} came to a stand at {:.3f} s: in {:.3g} s of computing, the steps that its tolerance of {:.4g} mm asks for "
+      "{} stopped at {:.3f} s: in {:.3g} s of computing, the steps that its tolerance of {:.4g} mm asks for "
       "did "
       "not reach the end of a tick of {:.4g} ms{}",
       simulation.method().name, simulation.time(), seconds, 1e3 * simulation.scene().tolerance, 1e3 * simulation.dt(),

@@ -1,4 +1,4 @@
-// See edits.h.
+// Versions of the setup, compared once a frame; undo, redo and reset hand one back to the viewer.
 #include "viewer/edits.h"
 
 #include "core/scene/scene_writer.h"

@@ -1,25 +1,66 @@
-// How a run failed: what the person is told, and the ways out.
-// Must not know: how a failure is noticed, how a cure is taken.
+// What breaks a run: the margin of its step, followed from frame to frame, and after a failure what the person is told
+// and the ways out. Must not know: how a cure is taken, windows.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
 #include "viewer/cure.h"
+#include "viewer/margin.h"
+#include "viewer/shown_state.h"
 
 namespace tyg {
 
-struct Failure {
+class Failure {
+ public:
+  using Clock = std::function<double()>;  ///< s, from any start
   /// The last state that was shown before the alarm.
   struct LastGood {
     std::int64_t tick = 0;
     double time = 0;  ///< s
   };
-  std::string message;               ///< why the cloth is frozen; empty: it is not
-  std::optional<Cure> cure;          ///< nothing where the cloth did not freeze by its alarm
-  std::optional<LastGood> lastGood;  ///< nothing while no alarm has stopped the run
-  bool runsOn = false;               ///< the person let the run go on past its alarm
+
+  explicit Failure(Clock clock) : clock_(std::move(clock)) {}
+
+  /// A new run, which has not failed.
+  void restart();
+  /// Something was thrown: it has no cure.
+  void freeze(std::string message);
+  /// The alarm stopped the simulation, or a tick of it was given up after these seconds; `shown` is before that.
+  void freezeOnAlarm(Simulation& simulation, const ShownState& shown);
+  void freezeOnStall(Simulation& simulation, const ShownState& shown, double seconds);
+  /// The cloth is no longer frozen.
+  void thaw();
+  void setRunsOn(bool runsOn) { runsOn_ = runsOn; }
+  /// A state without an alarm is shown at this tick: a failure that lies before it is overcome.
+  void passed(std::int64_t tick);
+
+  /// Once a frame, of a simulation that is not frozen.
+  void updateMargin(Simulation& simulation) { margin_.update(simulation, clock_); }
+  /// Likewise of a frozen one: the margin is that of the next run, with this scene's method and step.
+  void previewMargin(const Scene& chosen) { margin_.preview(chosen); }
+  /// A cure keeps what was chosen while the cloth is frozen: its step is the chosen one where that holds.
+  void fitCure(const Simulation& simulation, const Scene& chosen);
+
+  [[nodiscard]] const Margin& margin() const { return margin_.margin(); }
+  [[nodiscard]] const std::string& message() const { return message_; }  ///< why the cloth is frozen; empty: it is not
+  /// Nothing where the cloth did not freeze by its alarm.
+  [[nodiscard]] const std::optional<Cure>& cure() const { return cure_; }
+  /// Nothing while no alarm has stopped the run.
+  [[nodiscard]] const std::optional<LastGood>& lastGood() const { return lastGood_; }
+  [[nodiscard]] bool runsOn() const { return runsOn_; }  ///< the person let the run go on past its alarm
+
+ private:
+  void freezeWith(std::string message, const Cure& cure, const ShownState& shown);
+
+  Clock clock_;
+  MarginWatch margin_;
+  std::string message_;
+  std::optional<Cure> cure_;
+  std::optional<LastGood> lastGood_;
+  bool runsOn_ = false;
 };
 
 }  // namespace tyg

@@ -21,7 +21,7 @@ constexpr double kRoundings = 2;
 /// Of the size: a floor above this one could be seen, if not by eye, then on the scale of colours.
 constexpr double kSeenFloor = 1e-5;
 
-constexpr std::int64_t kStride = 8;   // ticks between looks at the clock
+constexpr std::int64_t kStride = 8;   // ticks between checks of the clock
 constexpr double kLongestStride = 1;  // s
 constexpr std::size_t kMostCheckpoints = 16;
 constexpr std::int64_t kFirstSpacing = 64;  // ticks between checkpoints; doubled whenever there are too many
@@ -136,7 +136,7 @@ bool Ghost::strideInTime(const Simulation& live, const Clock& clock) {
   return !late;
 }
 
-void Ghost::follow(const Simulation& live, double seconds, const Clock& clock, const ShownMoment* shown) {
+void Ghost::follow(const Simulation& live, double seconds, const Clock& clock, const ShownTarget* shown) {
   if (live.startScene() != liveScene_) begin(live);
   const std::int64_t goal = shown != nullptr ? shown->ticks : live.ticks();
   if (goal < std::exchange(goal_, goal)) stalled_ = false;
@@ -163,7 +163,7 @@ void Ghost::watchGap(double now) {
   watched_ = now, behindThen_ = behind_;
 }
 
-void Ghost::measure(const Simulation& live, const ShownMoment* shown) {
+void Ghost::measure(const Simulation& live, const ShownTarget* shown) {
   const int count = live.sheet().count();
   distances_.resize(static_cast<std::size_t>(count));
   double square = 0, largest = 0, twinSquare = 0;

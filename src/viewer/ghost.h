@@ -15,7 +15,7 @@
 
 namespace tyg {
 
-/// How far the live cloth is from its ghost, at a moment when both have the same time.
+/// How far the live cloth is from its ghost, when both are at the same time.
 struct GhostGap {
   double time = 0;     ///< s
   double rms = 0;      ///< m, over all particles
@@ -27,8 +27,8 @@ struct GhostGap {
   [[nodiscard]] bool means() const { return meansSomething(error, floor); }
 };
 
-/// A moment of the live run that is on the screen while the live simulation itself has gone on, to its alarm.
-struct ShownMoment {
+/// The state of the live run that is on the screen while the live simulation itself has gone on, to its alarm.
+struct ShownTarget {
   std::int64_t ticks = 0;
   double time = 0;                     ///< s
   std::span<const float> positions{};  ///< x, y, z, m
@@ -45,7 +45,7 @@ class Ghost {
   /// Comes up to the live simulation's time, or as near as `seconds` of the clock allow (one stride at least). Where
   /// the live one went back in time or began anew, so does the ghost; where its scene changed, it begins anew. To
   /// `shown` instead, where that is not null.
-  void follow(const Simulation& live, double seconds, const Clock& clock, const ShownMoment* shown = nullptr);
+  void follow(const Simulation& live, double seconds, const Clock& clock, const ShownTarget* shown = nullptr);
 
   [[nodiscard]] const Method& method() const { return *method_; }
   [[nodiscard]] bool isReference() const { return second_ == nullptr; }
@@ -61,11 +61,11 @@ class Ghost {
   /// Force evaluations by the ghost and its twin since it began; goes back with it in time.
   [[nodiscard]] std::int64_t forceEvaluations() const;
 
-  /// Of the last moment in step; none before that, and none since a return in time until they meet again.
+  /// Of the last time in step; none before that, and none since a return in time until they meet again.
   [[nodiscard]] const std::optional<GhostGap>& gap() const { return gap_; }
   /// The ghost's x, y, z, m.
   [[nodiscard]] std::span<const float> positions() const { return positions_; }
-  /// The distance of each particle at gap()'s moment, m; empty without a gap.
+  /// The distance of each particle at gap()'s time, m; empty without a gap.
   [[nodiscard]] std::span<const float> distances() const { return distances_; }
   /// T* of the study, s: the last time at which ten floors fitted into the largest distance so far, 0 where they never
   /// did; NaN while they do, and while the floor could not be seen in the window anyway.
@@ -81,7 +81,7 @@ class Ghost {
     double meant = 0;                                         ///< s, the last time at which it meant something
     double since = std::numeric_limits<double>::quiet_NaN();  ///< s, the first time
   };
-  /// A moment to go back to.
+  /// A state to go back to.
   struct Checkpoint {
     std::int64_t tick = 0;
     std::size_t events = 0;  ///< of the live log, played by then
@@ -97,7 +97,7 @@ class Ghost {
   void stride(const Simulation& live);
   bool strideInTime(const Simulation& live, const Clock& clock);
   void watchGap(double now);
-  void measure(const Simulation& live, const ShownMoment* shown);
+  void measure(const Simulation& live, const ShownTarget* shown);
 
   const Method *second_, *method_;
   Scene liveScene_, scene_;  ///< as the live one was begun; as the ghost runs it

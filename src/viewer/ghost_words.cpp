@@ -33,19 +33,21 @@ Sentence meaningWords(const Ghost& ghost) {
   if (ghost.horizon() == 0) {
     const double since = ghost.comparedSince();
     return {(since > 0 ? fmt::format("Since they first met, at {:.2f} s, the distance", since) : "The distance") +
-                " never was clearly more than what this cloth makes of rounding and of the smallest differences (" +
-                floor + " by now): it means nothing.",
+                " has never been clearly larger than what this cloth makes of rounding errors and of the smallest "
+                "differences (" +
+                floor + " by now). It means nothing.",
             Tone::Warning};
   }
   if (ghost.horizon() <= gap->time) {
-    return {fmt::format("The horizon passed at {:.2f} s: since then the cloth has made so much of rounding and of the "
-                        "smallest differences (",
-                        ghost.horizon()) +
-                floor + ") that the distance means nothing any more.",
-            Tone::Warning};
+    return {
+        fmt::format("The horizon was at {:.2f} s. Since then the cloth has made so much of rounding errors and of the "
+                    "smallest differences (",
+                    ghost.horizon()) +
+            floor + ") that the distance means nothing any more.",
+        Tone::Warning};
   }
   if (gap->rms >= kTellable * gap->floor) return {"Distances below " + floor + " mean nothing here.", Tone::Dim};
-  return {"As close as can be told here: within " + floor + ".", Tone::Good};
+  return {"The two agree as closely as can be measured here: within " + floor + ".", Tone::Good};
 }
 
 Sentence progressWords(const Ghost& ghost) {
@@ -53,7 +55,7 @@ Sentence progressWords(const Ghost& ghost) {
     return {fmt::format("The ghost's method failed at {:.3f} s.", ghost.time()), Tone::Warning};
   }
   if (ghost.stalled()) {
-    return {fmt::format("The ghost came to a stand at {:.3f} s: its steps became too many.", ghost.time()),
+    return {fmt::format("The ghost stopped at {:.3f} s, because it needed too many steps.", ghost.time()),
             Tone::Warning};
   }
   if (ghost.behind() <= kNearlyInStep) return {};

@@ -16,9 +16,9 @@ struct Hint {
   std::string_view name, text;
 };
 constexpr std::array<Hint, 3> kHints{
-    Hint{"poke", "A click on the cloth pokes it."},
-    Hint{"chart", "C charts every method on this scene: how fast, how wrong."},
-    Hint{"ghost", "G shows where the cloth would be if it were computed without error."},
+    Hint{"poke", "A click on the cloth pushes it."},
+    Hint{"chart", "C shows a chart of how fast and how accurate every method is in this scene."},
+    Hint{"ghost", "G shows where the cloth would be if it were computed without errors."},
 };
 
 }  // namespace

@@ -54,7 +54,7 @@ void History::tick(Simulation& simulation, std::int64_t count) {
   follow(simulation);
 }
 
-/// At the newest moment everything is again as it was left.
+/// At the newest moment every event has happened again, and the past ends.
 void History::arrive(Simulation& simulation) {
   if (simulation.ticks() < newest_.ticks) return;
   repeatEvents(simulation);

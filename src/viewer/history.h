@@ -1,4 +1,4 @@
-// The last ten seconds of a running cloth: copies of it now and then, and the way from one of them to any tick since by
+// The last ten seconds of a running cloth: checkpoints now and then, and from one of them to any later tick by
 // simulating again, which gives the same bits. Must not know: windows, clocks.
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace tyg {
 
-/// Follows one simulation. While `past()`, the simulation stands before the newest moment, and tick() does again what
-/// was done then; cut() makes the present moment the newest one.
+/// Follows one simulation. While `past()`, the simulation is at an earlier moment than the newest one, and tick()
+/// repeats what happened then; cut() makes the present moment the newest one.
 class History {
  public:
   static constexpr double kSeconds = 10;                ///< simulated, that are kept
@@ -26,11 +26,11 @@ class History {
 
   /// Forgets everything; the present state is the first moment.
   void begin(const Simulation& simulation);
-  /// Up to `count` ticks on; what lies in the past is done again, up to the newest moment and then on from there.
-  /// Fewer where the alarm stops the simulation.
+  /// Advances by `count` ticks: the past is computed again up to the newest moment, and from there the simulation goes
+  /// on. Fewer where the alarm stops the simulation.
   void tick(Simulation& simulation, std::int64_t count);
-  /// On the way to `tick` (clamped to what is kept): the simulation comes to the nearest moment before it from which
-  /// tick(simulation, target() - simulation.ticks()) leads there.
+  /// Goes back to the checkpoint nearest before `tick`, which is clamped to what is kept. From there
+  /// tick(simulation, target() - simulation.ticks()) leads to it.
   void turnTo(Simulation& simulation, std::int64_t tick);
   [[nodiscard]] std::int64_t target() const { return target_; }
   /// Forgets what came after the present moment.
@@ -40,7 +40,7 @@ class History {
   [[nodiscard]] Moment first() const { return {copies_.front().ticks(), copies_.front().time()}; }
   /// The last moment that was reached.
   [[nodiscard]] Moment newest(const Simulation& simulation) const;
-  /// The tick that begins nearest to a time (s), as far as steps were equal between two copies.
+  /// The tick that begins nearest to a time (s); an estimate where the step changed between two checkpoints.
   [[nodiscard]] std::int64_t tickAt(double time, const Simulation& simulation) const;
   /// The log up to the newest moment, with its length and the hash there.
   [[nodiscard]] EventLog record(const Simulation& simulation) const;

@@ -7,8 +7,6 @@
 #include <exception>
 #include <utility>
 
-#include "tyg/methods.h"
-
 namespace tyg {
 namespace {
 
@@ -33,7 +31,8 @@ RunControl::RunControl(Simulation simulation, Clock clock, Notes& notes, RunList
       listener_(listener),
       simulation_(std::move(simulation)),
       frameClock_(simulation_.dt()),
-      ticks_(clock_) {
+      ticks_(clock_),
+      failure_(clock_) {
   ticks_.guard(simulation_);
   history_.begin(simulation_);
 }
@@ -47,10 +46,9 @@ void RunControl::startOrPause() {
 
 void RunControl::goOn() {
   intervene();
-  failure_.runsOn = failure_.runsOn && simulation_.status() != Status::Ok;
-  simulation_.keepGoing(failure_.runsOn);
-  failure_.message.clear();
-  failure_.cure.reset();
+  failure_.setRunsOn(failure_.runsOn() && simulation_.status() != Status::Ok);
+  simulation_.keepGoing(failure_.runsOn());
+  failure_.thaw();
   state_ = RunState::Running;
   frameClock_.restart();
 }
@@ -77,11 +75,10 @@ void RunControl::turnTo(std::int64_t tick, std::function<void()> then) {
   if (state_ == RunState::Waiting) return;
   endReplay();
   sleep_.wake();
-  if (failure_.lastGood && !failure_.runsOn) tick = std::min(tick, failure_.lastGood->tick);
+  if (failure_.lastGood() && !failure_.runsOn()) tick = std::min(tick, failure_.lastGood()->tick);
   state_ = RunState::Paused;
-  failure_.message.clear();
+  failure_.thaw();
   notes_.clear();
-  failure_.cure.reset();
   simulation_.keepGoing(true);
   history_.turnTo(simulation_, tick);
   seeking_ = true;
@@ -95,7 +92,7 @@ void RunControl::seek() {
   run(history_.target() - simulation_.ticks(), kSimulatingSeconds);
   if (!seeking_ || simulation_.ticks() < history_.target()) return;
   seeking_ = false;
-  simulation_.keepGoing(failure_.runsOn);
+  simulation_.keepGoing(failure_.runsOn());
   listener_.settingsReturned();
   show();
   if (const auto then = std::exchange(arrived_, {})) then();
@@ -122,19 +119,18 @@ void RunControl::changeSpeed(double factor) {
 }
 
 void RunControl::runOn() {
-  if (!failure_.cure || failure_.runsOn || simulation_.status() != Status::Unstable) return;
-  failure_.cure.reset();
-  failure_.message.clear();
-  failure_.runsOn = true;
+  if (!failure_.cure() || failure_.runsOn() || simulation_.status() != Status::Unstable) return;
+  failure_.thaw();
+  failure_.setRunsOn(true);
   simulation_.keepGoing(true);
   state_ = RunState::Running;
   frameClock_.restart();
 }
 
 bool RunControl::turnBeforeFailure(std::function<void()> then) {
-  if (!failure_.lastGood || (!failure_.cure && !failure_.runsOn)) return false;
-  failure_.runsOn = false;
-  turnTo(history_.tickAt(failure_.lastGood->time - kBackSeconds, simulation_), std::move(then));
+  if (!failure_.lastGood() || (!failure_.cure() && !failure_.runsOn())) return false;
+  failure_.setRunsOn(false);
+  turnTo(history_.tickAt(failure_.lastGood()->time - kBackSeconds, simulation_), std::move(then));
   return true;
 }
 
@@ -149,11 +145,10 @@ void RunControl::startOver(Simulation fresh) {
   sleep_.wake();
   seeking_ = false;
   arrived_ = {};
-  failure_ = {};
+  failure_.restart();
   simulation_ = std::move(fresh);
   ticks_.guard(simulation_);
   history_.begin(simulation_);
-  stepMargin_.restart();
   state_ = RunState::Waiting;
   notes_.warn(trouble);
   showStart();
@@ -195,9 +190,8 @@ int RunControl::run(std::int64_t ticks, double seconds) {
 
 /// Takes the simulation's state over for drawing, unless the alarm says that it is not worth showing.
 void RunControl::show() {
-  if (!shown_.take(simulation_, failure_.runsOn)) return freezeOnAlarm();
-  const bool recovered = simulation_.status() == Status::Ok && !history_.past();
-  if (recovered && failure_.lastGood && shown_.tick() > failure_.lastGood->tick) failure_.lastGood.reset();
+  if (!shown_.take(simulation_, failure_.runsOn())) return freezeOnAlarm();
+  if (simulation_.status() == Status::Ok && !history_.past()) failure_.passed(shown_.tick());
   if (state_ == RunState::Running && !replaying_ && !listener_.actsAt(shown_.tick())) {
     sleep_.follow(simulation_, shown_.kinetic());
   } else {
@@ -208,9 +202,8 @@ void RunControl::show() {
 void RunControl::freezeOnAlarm() {
   endReplay();
   listener_.settingsReturned();
-  const double limit = measureLimit();
-  const Cure cure = findCure(simulation_, limit);
-  freezeWith(describeFailure(simulation_, limit, cure), cure);
+  state_ = RunState::Frozen;
+  failure_.freezeOnAlarm(simulation_, shown_);
 }
 
 /// The simulation is at the beginning of the tick that was given up.
@@ -219,45 +212,26 @@ void RunControl::freezeOnStall() {
   if (state_ == RunState::Frozen) return;
   endReplay();
   listener_.settingsReturned();
-  const Cure cure = findCure(simulation_, measureLimit());
-  freezeWith(describeStall(simulation_, TickRunner::kLongestTick, cure), cure);
-}
-
-void RunControl::freezeWith(std::string message, const Cure& cure) {
-  freeze(std::move(message));
-  failure_.cure = cure;
-  if (!failure_.lastGood) failure_.lastGood = {shown_.tick(), shown_.time()};
+  state_ = RunState::Frozen;
+  failure_.freezeOnStall(simulation_, shown_, TickRunner::kLongestTick);
 }
 
 void RunControl::freeze(std::string message) {
   state_ = RunState::Frozen;
-  failure_.cure.reset();
-  failure_.message = std::move(message);
+  failure_.freeze(std::move(message));
 }
 
 void RunControl::updateMargin(const Scene& chosen) {
   if (state_ == RunState::Frozen) {
-    stepMargin_.preview(chosen);
+    failure_.previewMargin(chosen);
   } else {
-    stepMargin_.update(simulation_, clock_);
+    failure_.updateMargin(simulation_);
   }
 }
 
 double RunControl::measureLimit() {
-  stepMargin_.update(simulation_, clock_);
+  failure_.updateMargin(simulation_);
   return margin().limit;
-}
-
-void RunControl::fitCure(const Scene& chosen) {
-  if (!failure_.cure) return;
-  stepMargin_.preview(chosen);
-  if (margin().band() == MarginBand::Past) {
-    failure_.cure->step = safeStep(margin().limit);
-  } else if (&findMethod(chosen.integrator) == &simulation_.method() && chosen.dt == simulation_.dt()) {
-    failure_.cure->step = findCure(simulation_, margin().limit).step;
-  } else {
-    failure_.cure->step = chosen.dt;
-  }
 }
 
 Timeline RunControl::timeline() const {

@@ -11,7 +11,6 @@
 #include "view/frame_clock.h"
 #include "viewer/failure.h"
 #include "viewer/history.h"
-#include "viewer/margin.h"
 #include "viewer/notes.h"
 #include "viewer/run_listener.h"
 #include "viewer/shown_state.h"
@@ -66,13 +65,13 @@ class RunControl {
   Simulation& intervene();
   /// Once a frame: simulates what is due after `frameSeconds`, of which everything else took `otherSeconds`.
   void advance(double frameSeconds, double otherSeconds);
-  /// Once a frame, and whenever settings were chosen: the margin of this scene's method and step where the cloth is
-  /// frozen, as they are for the next run, else of those in use.
+  /// Once a frame: the margin of the method and step in use, or, where the cloth is frozen, of those of this scene,
+  /// which are for the next run.
   void updateMargin(const Scene& chosen);
   /// s: the largest stable step of what is in use now, not at the last frame.
   double measureLimit();
-  /// The cure keeps what was chosen while the cloth is frozen: its step is the chosen one where that holds.
-  void fitCure(const Scene& chosen);
+  /// A cure keeps what was chosen while the cloth is frozen; see Failure::fitCure.
+  void fitCure(const Scene& chosen) { failure_.fitCure(simulation_, chosen); }
 
   /// Called with the log of a run that has ended, at a restart.
   void onRunEnd(std::function<void(const EventLog&)> keep) { onRunEnd_ = std::move(keep); }
@@ -86,14 +85,14 @@ class RunControl {
   [[nodiscard]] const Simulation& simulation() const { return simulation_; }
   [[nodiscard]] const ShownState& shown() const { return shown_; }
   [[nodiscard]] const Failure& failure() const { return failure_; }
-  [[nodiscard]] const Margin& margin() const { return stepMargin_.margin(); }
+  [[nodiscard]] const Margin& margin() const { return failure_.margin(); }
   [[nodiscard]] Timeline timeline() const;
   /// It runs, and stays as it is until something is done to it. No ticks pass meanwhile.
   [[nodiscard]] bool asleep() const { return sleep_.asleep(shown_.time()); }
   /// Neither ticks pass nor is a past time on its way.
   [[nodiscard]] bool resting() const { return (state_ != RunState::Running || asleep()) && !seeking_; }
+  /// Its speed is the simulated seconds that are wanted per second.
   [[nodiscard]] const FrameClock& frameClock() const { return frameClock_; }
-  [[nodiscard]] double speed() const { return frameClock_.speed(); }  ///< simulated seconds wanted per second
   /// The run so far: its ticks and hash filled in.
   [[nodiscard]] EventLog record() const { return history_.record(simulation_); }
   /// The run that leads to what is shown: up to a past time, or into the failure that the text tells of.
@@ -107,7 +106,6 @@ class RunControl {
   void show();
   void freezeOnAlarm();
   void freezeOnStall();
-  void freezeWith(std::string message, const Cure& cure);
 
   Clock clock_;
   Notes& notes_;
@@ -117,7 +115,6 @@ class RunControl {
   History history_;
   TickRunner ticks_;
   SleepWatch sleep_;
-  MarginWatch stepMargin_;
   ShownState shown_;
   Failure failure_;
   RunState state_ = RunState::Waiting;

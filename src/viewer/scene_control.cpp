@@ -112,7 +112,7 @@ void SceneControl::cureWith(const Scene& wanted) {
 }
 
 void SceneControl::takeSafeStep() {
-  const std::optional<Cure>& cure = run_.failure().cure;
+  const std::optional<Cure>& cure = run_.failure().cure();
   if (run_.state() == RunState::Frozen && !cure) return;
   Scene wanted = scene_;
   const double safe = safeStep(run_.measureLimit());
@@ -121,7 +121,7 @@ void SceneControl::takeSafeStep() {
 }
 
 void SceneControl::takeHoldingMethod() {
-  const std::optional<Cure>& cure = run_.failure().cure;
+  const std::optional<Cure>& cure = run_.failure().cure();
   if (!cure || cure->method == nullptr) return;
   Scene wanted = scene_;
   wanted.integrator = cure->method->name;

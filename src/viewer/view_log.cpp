@@ -1,5 +1,7 @@
-// Lines of the viewer's log.
+// A line is put together in a fixed buffer and flushed, so that a frame allocates nothing for it.
 #include "viewer/view_log.h"
+
+#include <fmt/core.h>
 
 #include <array>
 #include <cerrno>
@@ -43,8 +45,9 @@ class Fields {
 
 ViewLog::ViewLog(const std::filesystem::path& path) : path_(path), file_(std::fopen(path.c_str(), "wb")) {
   if (!file_ || std::fputs(kHeader, file_.get()) < 0 || std::fflush(file_.get()) != 0) {
-    throw InputError("--log: '" + path.string() + "' cannot be written (" + std::strerror(errno) +
-                     "); allowed is a file in a folder that may be written to");
+    throw InputError(
+        fmt::format("--log: '{}' cannot be written ({}); allowed is a file in a folder that may be written to",
+                    path.string(), std::strerror(errno)));
   }
 }
 
@@ -55,7 +58,7 @@ void ViewLog::write(const ViewLogLine& line) {
   fields.number(line.picked).number(line.pushes).number(line.kinetic).word(line.alarm);
   const std::string_view text = fields.line();
   if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() || std::fflush(file_.get()) != 0) {
-    throw InputError("--log: '" + path_.string() + "' cannot be written any more (" + std::strerror(errno) + ")");
+    throw InputError(fmt::format("--log: '{}' cannot be written any more ({})", path_.string(), std::strerror(errno)));
   }
 }
 

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <set>
 
 #include "files.h"
+#include "util/interrupt.h"
 
 namespace tyg {
 namespace {
@@ -41,6 +43,12 @@ TEST_F(Gnuplot, WithoutGnuplotItIsMissing) {
   const GnuplotOutcome outcome = run("plot sin(x)\n");
   setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(outcome.kind, Kind::Missing);
+}
+
+TEST_F(Gnuplot, AnInterruptEndsIt) {
+  const InterruptWatch watch;
+  std::raise(SIGINT);
+  EXPECT_EQ(run("pause 1000\n").kind, Kind::Failed);
 }
 
 TEST(ChartColour, SevenColoursAreDifferent) {

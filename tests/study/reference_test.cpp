@@ -112,7 +112,7 @@ TEST(Reference, CanBeStopped) {
   EXPECT_FALSE(reference.usable());
 }
 
-TEST(Twin, StandsTheAskedDistanceAwayAndLeavesPinsAlone) {
+TEST(Twin, StartsTheAskedDistanceAwayAndLeavesPinsAlone) {
   const Scene scene = smoothSheet(), twin = twinOf(scene, 1e-3);
   const std::vector<Vec3> here = sampledRun(scene, findMethod("rk4"), {1e-9}).positions[0];
   const std::vector<Vec3> there = sampledRun(twin, findMethod("rk4"), {1e-9}).positions[0];

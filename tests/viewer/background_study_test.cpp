@@ -27,7 +27,7 @@ Scene smallScene() {
 template <class Condition>
 bool awaited(BackgroundStudy& study, const Condition& holds) {
   for (int turn = 0; turn < 60000; ++turn) {
-    if (holds(study.look())) return true;
+    if (holds(study.progress())) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return false;
@@ -38,7 +38,7 @@ std::vector<const Method*> twoMethods() { return {&findMethod("leapfrog"), &find
 
 TEST(BackgroundStudy, IsIdleUntilItIsStarted) {
   BackgroundStudy study([] { return calibrationClock(1); });
-  EXPECT_EQ(study.look().stage, Stage::Idle);
+  EXPECT_EQ(study.progress().stage, Stage::Idle);
   EXPECT_FALSE(study.running());
 }
 
@@ -47,7 +47,7 @@ TEST(BackgroundStudy, GivesRowsOfItsMethodsInTheirOrder) {
   study.start(smallScene(), twoMethods());
   EXPECT_TRUE(study.running());
   ASSERT_TRUE(awaited(study, isDone));
-  const StudyProgress& told = study.look();
+  const StudyProgress& told = study.progress();
   EXPECT_FALSE(study.running());
   EXPECT_EQ(told.rows.front().integrator, "leapfrog");
   EXPECT_EQ(told.rows.back().integrator, "rk4");
@@ -64,7 +64,7 @@ TEST(BackgroundStudy, HandsRowsOverBeforeItIsDone) {
   for (const Method& method : methods()) all.push_back(&method);
   study.start(scene, all);
   ASSERT_TRUE(awaited(study, hasRows));
-  EXPECT_EQ(study.look().stage, Stage::Rows);
+  EXPECT_EQ(study.progress().stage, Stage::Rows);
 }
 
 TEST(BackgroundStudy, HasTheCoarseRowsOfAllMethodsBeforeItGoesFarDownOne) {
@@ -86,8 +86,8 @@ TEST(BackgroundStudy, FromItsStopOnNothingIsTold) {
   ASSERT_TRUE(awaited(study, hasRows));
   study.stop();
   for (int turn = 0; turn < 50; ++turn) {
-    EXPECT_EQ(study.look().stage, Stage::Idle);
-    EXPECT_TRUE(study.look().rows.empty());
+    EXPECT_EQ(study.progress().stage, Stage::Idle);
+    EXPECT_TRUE(study.progress().rows.empty());
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }
@@ -101,7 +101,7 @@ TEST(BackgroundStudy, TheLastOfManyStartsIsTheOneThatIsStudied) {
     std::this_thread::sleep_for(std::chrono::milliseconds(turn % 4));
   }
   ASSERT_TRUE(awaited(study, isDone));
-  EXPECT_EQ(study.look().reference->scene.particleMass, scene.particleMass);
+  EXPECT_EQ(study.progress().reference->scene.particleMass, scene.particleMass);
 }
 
 TEST(BackgroundStudy, SaysWhyThereAreNoRows) {
@@ -110,7 +110,7 @@ TEST(BackgroundStudy, SaysWhyThereAreNoRows) {
   scene.columns = scene.rows = 100;
   study.start(scene, twoMethods());
   ASSERT_TRUE(awaited(study, [](const StudyProgress& told) { return told.stage == Stage::Failed; }));
-  EXPECT_NE(study.look().problem.find("10000 particles"), std::string::npos) << study.look().problem;
+  EXPECT_NE(study.progress().problem.find("10000 particles"), std::string::npos) << study.progress().problem;
 }
 
 TEST(BackgroundStudy, WorksAtTheLowestPriority) {
@@ -130,7 +130,7 @@ TEST(BackgroundStudy, TheClothMovesToTheSameBitsBesideIt) {
   ASSERT_TRUE(awaited(study, hasRows));
   for (int tick = 0; tick < 200; ++tick) {
     beside.tick();
-    study.look();
+    study.progress();
   }
   EXPECT_EQ(beside.hash(), alone.hash());
   EXPECT_EQ(beside.forceEvaluations(), alone.forceEvaluations());

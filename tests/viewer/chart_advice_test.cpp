@@ -34,9 +34,11 @@ TEST(ChartAdvice, TellsWhatIsCheaperAndWhatIsCloser) {
   const std::vector<WorkRow> rows{row("rk4", 0.002, 1e-5, 0.02), row("leapfrog", 0.002, 1e-5, 0.005),
                                   row("rk4", 0.0025, 1e-7, 0.02)};
   const ChartAdvice advice = adviceOn(rows, {&findMethod("rk4"), 0.002, 0}, kScale);
-  EXPECT_TRUE(says(advice.better, "Cheaper, and no farther off: leapfrog, step 2 ms, at 2.5 ms, 4.0 times cheaper."))
+  EXPECT_TRUE(
+      says(advice.better, "Cheaper and at least as accurate: leapfrog, step 2 ms, at 2.5 ms, 4.0 times cheaper."))
       << advice.better;
-  EXPECT_TRUE(says(advice.better, "Closer, and no dearer: rk4, step 2.5 ms, error 0.0001 mm, 100 times smaller."))
+  EXPECT_TRUE(
+      says(advice.better, "More accurate at no greater cost: rk4, step 2.5 ms, error 0.0001 mm, 100 times smaller."))
       << advice.better;
 }
 

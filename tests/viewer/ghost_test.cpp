@@ -162,7 +162,7 @@ TEST(Ghost, ComesUpToTheMomentShownWhereTheLiveClothHasGoneOnToItsAlarm) {
   Simulation live = liveOf(scene, "explicit-euler");
   Ghost early(live, nullptr);
   std::vector<float> positions(3 * static_cast<std::size_t>(live.sheet().count()));
-  ShownMoment shown;
+  ShownTarget shown;
   for (live.tick(4); live.check() == Status::Ok; live.tick(4)) {
     followFully(early, live);
     live.copyPositions(positions);

@@ -27,14 +27,14 @@ TEST(GhostWords, OfADistanceThatNeverMeantAnythingNameNoHorizonAndWriteLengthsOu
   Ghost ghost(live, nullptr);
   ghost.follow(live, 1e9, stillClock);
   const Sentence meaning = meaningWords(ghost);
-  EXPECT_TRUE(says(meaning, "Since they first met, at 6.00 s, the distance never was")) << meaning.text;
+  EXPECT_TRUE(says(meaning, "Since they first met, at 6.00 s, the distance has never been")) << meaning.text;
   EXPECT_FALSE(says(meaning, "horizon"));
   EXPECT_TRUE(says(meaning, "mm by now)") || says(meaning, " m by now)")) << meaning.text;
   EXPECT_EQ(meaning.text.find("e+"), std::string::npos) << meaning.text;
   Simulation still = chaos();
   Ghost early(still, nullptr);
   for (early.follow(still, 1e9, stillClock); still.time() < 3; early.follow(still, 1e9, stillClock)) still.tick(3000);
-  EXPECT_EQ(meaningWords(early).text.rfind("The distance never was", 0), 0U) << meaningWords(early).text;
+  EXPECT_EQ(meaningWords(early).text.rfind("The distance has never been", 0), 0U) << meaningWords(early).text;
 }
 
 TEST(GhostWords, TellCatchingUpFromBeingTooSlow) {

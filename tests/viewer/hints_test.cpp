@@ -19,7 +19,7 @@ class HintsTest : public testing::Test {
 TEST_F(HintsTest, TheFirstHintIsToPokeAndFollowingItBringsTheNext) {
   Hints hints(file_);
   const std::string first(hints.show(0));
-  EXPECT_NE(first.find("poke"), std::string::npos);
+  EXPECT_NE(first.find("pushes"), std::string::npos);
   hints.did(Hints::Topic::Poke);
   EXPECT_NE(hints.show(1), first);
   EXPECT_FALSE(hints.show(1).empty());
@@ -53,7 +53,7 @@ TEST_F(HintsTest, AFolderThatCannotBeMadeOnlyBringsThemAgain) {
   Hints hints(file_);
   hints.did(Hints::Topic::Poke);
   EXPECT_FALSE(hints.show(0).empty());
-  EXPECT_NE(Hints(file_).show(0).find("poke"), std::string_view::npos);
+  EXPECT_NE(Hints(file_).show(0).find("pushes"), std::string_view::npos);
 }
 
 }  // namespace

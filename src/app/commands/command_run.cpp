@@ -72,7 +72,7 @@ bool sameCloth(Scene scene, const Scene& other) {
 
 /// The scene as it was when the log was made. Throws InputError where scene and log cannot belong together.
 Scene fitted(Scene scene, const SceneOptions& options, const EventLog& log) {
-  const auto grid = [](int columns, int rows) { return std::to_string(columns) + "x" + std::to_string(rows); };
+  const auto grid = [](int columns, int rows) { return fmt::format("{}x{}", columns, rows); };
   if (scene.columns != log.columns || scene.rows != log.rows) {
     const std::string logged = grid(log.columns, log.rows);
     throw InputError("--replay: found a sheet of " + grid(scene.columns, scene.rows) + " particles in scene '" +

@@ -1,4 +1,4 @@
-// The pushes of a run: when each acts, and the work that they do. A regular type, so that a snapshot is a copy.
+// The pushes of a run: when each acts, and the work that they do. A regular type, so that a checkpoint is a copy.
 // Must not know: methods, stop times, alarms.
 #pragma once
 
@@ -11,32 +11,33 @@ namespace tyg {
 
 class Pushes {
  public:
-  /// Of a run; `sameTime` is how close two times are one. s.
+  /// A moment of a run. Times closer than `sameTime` count as the same. s.
   struct Instant {
     double time = 0, sameTime = 0;
     std::int64_t tick = 0;
   };
 
-  /// The scene's, each between two times.
+  /// The pushes of the scene, each of which acts from one time to another.
   Pushes(const Scene& scene, const Sheet& sheet);
-  /// One by hand, for the whole ticks [firstTick, endTick).
+  /// Adds a push by hand, which acts for the whole ticks [firstTick, endTick).
   void add(int particle, const Vec3& force, std::int64_t firstTick, std::int64_t endTick);
 
-  /// Lets pushes begin and end that do so now. Says whether any did: the force jumps, and has to be applied anew.
+  /// Begins and ends the pushes whose time has come. Returns whether there were any: the force then has to be applied
+  /// anew.
   bool switchAt(const Instant& now, const Backend& backend);
-  /// Hands those that act to the sheet, instead of what it had.
+  /// Gives the backend the pushes that act now, in place of those that it had.
   void applyTo(Backend& backend) const;
-  /// The largest sum over the particles of |F|^2 / m that gravity and those that act can make, J/s2.
+  /// The largest sum over the particles of |F|^2 / m that gravity and the acting pushes can make, J/s2.
   [[nodiscard]] double forcing(const Scene& scene, const Sheet& sheet) const;
 
-  /// Force times the distance moved, of all so far, J.
+  /// The work of all pushes so far: force times the distance moved, J.
   [[nodiscard]] double work(const Backend& backend) const;
-  /// What something else has put into the sheet, J.
+  /// Adds energy that something else has put into the sheet, J.
   void addWork(double work) { finishedWork_ += work; }
 
-  /// The first time after now at which one of the scene's begins or ends, or `end` where none does before it, s.
+  /// The first time after now at which a push of the scene begins or ends, or `end` where none does before it, s.
   [[nodiscard]] double nextEdge(const Instant& now, double end) const;
-  /// Ticks until one by hand begins or ends, or `most` where none does before.
+  /// Ticks until a push by hand begins or ends, or `most` where none does before.
   [[nodiscard]] std::int64_t ticksToEdge(std::int64_t tick, std::int64_t most) const;
   [[nodiscard]] std::size_t bytes() const { return pushes_.size() * sizeof(Push); }
 

@@ -22,7 +22,7 @@ constexpr double kStudyShare = 0.4, kReferenceShare = 0.5, kProofShare = 0.05;
 /// what was asked.
 constexpr double kErrorMargin = 0.9, kBudgetMargin = 0.95;
 /// An error below so many times the uncertainty of the truth cannot be told from no error.
-constexpr double kTold = 3;
+constexpr double kCertain = 3;
 constexpr double kTenTimesBetter = 0.1;   // the fraction of the error that "ten times better" means
 constexpr double kTightestTruth = 1e-13;  // tolerance, of the size: the reference's own
 constexpr double kRoughTruth = 1e-8;      // the same: cheap, and enough where little can be spent
@@ -33,7 +33,7 @@ struct Truth {
   double tolerance = 0;    // m, that it was run with
   double uncertainty = 0;  // m, the largest RMS over particles
 
-  [[nodiscard]] double floor() const { return kTold * uncertainty; }
+  [[nodiscard]] double floor() const { return kCertain * uncertainty; }
 };
 
 /// What all parts of the work need.
@@ -197,7 +197,7 @@ QuickStudy quickStudy(Task& task) {
 /// As exact as it takes to tell an error of `promised` m; where it does not turn out so, as exact as can be.
 Reference referenceFor(double promised, const Truth& truth, Task& task) {
   constexpr int kLarge = 2000;  // particles: a run of them is too long to wait for many
-  constexpr double kOfThePromise = 1.0 / 10, kOfTheUncertainty = 1.0 / 3, kEnough = 1.0 / kTold;
+  constexpr double kOfThePromise = 1.0 / 10, kOfTheUncertainty = 1.0 / 3, kEnough = 1.0 / kCertain;
   const auto observer = [&](double fraction) { return task.progress.reach(kStudyShare + kReferenceShare * fraction); };
   ReferenceAim aim;
   aim.agreement = std::max(kOfThePromise * promised, kOfTheUncertainty * truth.uncertainty);

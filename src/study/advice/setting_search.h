@@ -45,6 +45,7 @@ class SettingSearch {
   [[nodiscard]] std::optional<Trial> leastError() const;
   [[nodiscard]] std::optional<Trial> cheapest() const;
   [[nodiscard]] int runs() const { return runs_; }
+  [[nodiscard]] double spent() const { return spent_; }  ///< s of all runs so far
   /// s: the most that one run may cost.
   [[nodiscard]] double mostSeconds() const { return mostSeconds_; }
   /// Did the last search end because all of its seconds were spent?

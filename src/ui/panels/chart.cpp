@@ -45,7 +45,7 @@ class LiveChart final : public Panel {
       studied_ = std::move(part);
       study_.start(viewer.scenes().scene(), methodsFrom(viewer.scenes().method()));
     }
-    const StudyProgress& told = study_.look();
+    const StudyProgress& told = study_.progress();
     const std::pair now{told.rows.size(), std::lround(100 * told.fraction)};
     news_ = now != shown_ || told.stage != stage_;
     shown_ = now, stage_ = told.stage;
@@ -59,7 +59,7 @@ class LiveChart final : public Panel {
   }
 
   void draw(const PanelScope& scope) override {
-    const StudyProgress& told = study_.look();
+    const StudyProgress& told = study_.progress();
     progressLine(scope, told);
     Viewer& viewer = scope.viewer;
     const Simulation& simulation = viewer.run().simulation();

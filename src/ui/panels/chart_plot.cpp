@@ -282,7 +282,7 @@ void ChartPlot::readOut(const Layout& layout, const WorkRow& row) {
   ImGui::EndTooltip();
 }
 
-/// Marks and names in columns below the plot. Names under the cursor stand out in the plot.
+/// Marks and names in columns below the plot. The curve of a name under the cursor is highlighted in the plot.
 void ChartPlot::legend(const PanelScope& scope, const Contents& contents) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, small = kSmall * scope.size, line = std::ceil(1.35F * small);

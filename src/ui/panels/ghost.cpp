@@ -35,7 +35,7 @@ class GhostPanel final : public Panel {
   void follow(Viewer& viewer) override {
     const Simulation& live = viewer.run().simulation();
     // Past its alarm the simulation is not what the window shows.
-    const ShownMoment shown{.ticks = viewer.run().shown().tick(),
+    const ShownTarget shown{.ticks = viewer.run().shown().tick(),
                             .time = viewer.run().shown().time(),
                             .positions = viewer.run().shown().positions()};
     const bool failed = live.status() != Status::Ok && shown.ticks <= live.ticks();

@@ -23,7 +23,7 @@ struct PanelScope {
   const Colours& colours;
   Background background;
   float size;                ///< of the text, pixels
-  bool tips;                 ///< tooltips show: the mouse came to rest a moment ago, and nothing is held or typed
+  bool tips;                 ///< tooltips show: the mouse has just come to rest, and nothing is held or typed
   Colouring::By colouredBy;  ///< what the colours on the cloth are by, of whichever panel
 };
 

@@ -26,8 +26,8 @@ struct RunningPlot {
   float height = 0;  ///< pixels, with the numbers at its axes
   double least = 0;  ///< of the axis from end to end: what differs by less is drawn as flat
 };
-/// Draws the curves over the panel's width: the last sample at the right, the moment that the cloth is shown at marked
-/// where it is a past one. A moment under the cursor is read out; pressed there, the cloth goes back to it.
+/// Draws the curves over the panel's width: the last sample at the right, the time of the cloth that is shown marked
+/// where it is a past one. The sample under the cursor is read out; pressed there, the cloth goes back to it.
 void runningPlot(const PanelScope& scope, const RunningPlot& plot, const RunningSeries& series,
                  std::span<const RunningCurve> curves);
 

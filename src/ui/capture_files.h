@@ -12,12 +12,12 @@
 
 namespace tyg {
 
-class Keeper {
+class CaptureFiles {
  public:
   static constexpr double kFramesPerSecond = 30;
 
   /// Files go into `folder`, which must exist by then; their names are tyg-SCENE-NUMBER.
-  explicit Keeper(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  explicit CaptureFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   /// Writes the picture, the scene as the run began it, and the run's log, which holds that scene as well. Returns one
   /// sentence that names the files. Throws InputError where they cannot be written.

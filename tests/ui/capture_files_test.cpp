@@ -1,5 +1,5 @@
 // Files that the window keeps: numbered, complete, and good for doing a run again.
-#include "ui/keeper.h"
+#include "ui/capture_files.h"
 
 #include <gtest/gtest.h>
 
@@ -12,23 +12,23 @@
 namespace tyg {
 namespace {
 
-class KeeperTest : public testing::Test {
+class CaptureFilesTest : public testing::Test {
  protected:
   static Picture picture(int width, int height) {
     return {width, height, std::vector<std::uint8_t>(4 * std::size_t(width) * std::size_t(height), 200)};
   }
   const Folder folder_;
-  Keeper keeper_{folder_.path()};
+  CaptureFiles files_{folder_.path()};
 };
 
-TEST_F(KeeperTest, AKeptRunDoneAgainEndsInTheSameBits) {
+TEST_F(CaptureFilesTest, AKeptRunDoneAgainEndsInTheSameBits) {
   const Scene scene = loadScene("curtain");
   Simulation live(scene, findMethod("rk4"), {.threads = 1});
   live.tick(40), live.push(190, {0, 0, 3}, 20), live.tick(10), live.useMethod(findMethod("leapfrog"));
   live.useStep(0.001), live.tick(50);
   EventLog log = live.log();
   log.ticks = live.ticks();
-  keeper_.keep(picture(4, 4), log);
+  files_.keep(picture(4, 4), log);
 
   const Scene kept = parseScene(contentsOf(folder_ / "tyg-curtain-1.toml"), "kept", methodNames());
   Simulation again(kept, findMethod(kept.integrator), {.threads = 1});
@@ -37,41 +37,41 @@ TEST_F(KeeperTest, AKeptRunDoneAgainEndsInTheSameBits) {
   EXPECT_EQ(again.hash(), live.hash());
 }
 
-TEST_F(KeeperTest, NothingIsOverwritten) {
+TEST_F(CaptureFilesTest, NothingIsOverwritten) {
   const Scene scene = loadScene("curtain");
   const Simulation live(scene, findMethod("rk4"), {.threads = 1});
   folder_.write("tyg-curtain-1.mp4", "mine");
-  const std::string said = keeper_.keep(picture(4, 4), live.log());
+  const std::string said = files_.keep(picture(4, 4), live.log());
   EXPECT_NE(said.find("tyg-curtain-2.png"), std::string::npos) << said;
   EXPECT_EQ(contentsOf(folder_ / "tyg-curtain-1.mp4"), "mine");
   EXPECT_EQ(readPng(folder_ / "tyg-curtain-2.png").width, 4);
 }
 
-TEST_F(KeeperTest, AFolderThatIsGoneIsAnError) {
+TEST_F(CaptureFilesTest, AFolderThatIsGoneIsAnError) {
   const Scene scene = loadScene("curtain");
   const Simulation live(scene, findMethod("rk4"), {.threads = 1});
   std::filesystem::remove_all(folder_.path());
-  EXPECT_THROW(keeper_.keep(picture(4, 4), live.log()), InputError);
+  EXPECT_THROW(files_.keep(picture(4, 4), live.log()), InputError);
 }
 
-TEST_F(KeeperTest, AMovieKeepsTheRhythmOfTheClockAndEndsWhenTheWindowChangesItsSize) {
+TEST_F(CaptureFilesTest, AMovieKeepsTheRhythmOfTheClockAndEndsWhenTheWindowChangesItsSize) {
   if (!haveFfmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
-  keeper_.beginMovie("curtain", 65, 49);
-  EXPECT_TRUE(keeper_.film(picture(65, 49), 10.0).empty());
-  EXPECT_TRUE(keeper_.film(picture(65, 49), 10.5).empty());
-  EXPECT_NEAR(keeper_.filmed(), 0.5, 1 / Keeper::kFramesPerSecond);
-  const std::string said = keeper_.film(picture(80, 60), 10.6);
+  files_.beginMovie("curtain", 65, 49);
+  EXPECT_TRUE(files_.film(picture(65, 49), 10.0).empty());
+  EXPECT_TRUE(files_.film(picture(65, 49), 10.5).empty());
+  EXPECT_NEAR(files_.filmed(), 0.5, 1 / CaptureFiles::kFramesPerSecond);
+  const std::string said = files_.film(picture(80, 60), 10.6);
   EXPECT_NE(said.find("tyg-curtain-1.mp4"), std::string::npos) << said;
-  EXPECT_FALSE(keeper_.filming());
+  EXPECT_FALSE(files_.filming());
   EXPECT_GT(std::filesystem::file_size(folder_ / "tyg-curtain-1.mp4"), 100U);
 }
 
-TEST_F(KeeperTest, AMovieThatIsNotEndedLeavesNoFile) {
+TEST_F(CaptureFilesTest, AMovieThatIsNotEndedLeavesNoFile) {
   if (!haveFfmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
   {
-    Keeper keeper(folder_.path());
-    keeper.beginMovie("curtain", 64, 48);
-    (void)keeper.film(picture(64, 48), 0);
+    CaptureFiles files(folder_.path());
+    files.beginMovie("curtain", 64, 48);
+    (void)files.film(picture(64, 48), 0);
   }
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
 }

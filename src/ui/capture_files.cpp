@@ -1,5 +1,5 @@
-// Numbering, cutting to even sizes, and the rhythm of frames; see keeper.h.
-#include "ui/keeper.h"
+// Numbered names, pictures of even sizes, and one picture of a movie for each thirtieth of a second of the clock.
+#include "ui/capture_files.h"
 
 #include <algorithm>
 #include <array>
@@ -32,7 +32,7 @@ std::string freeStemFor(const std::filesystem::path& folder, const std::string& 
 
 }  // namespace
 
-std::string Keeper::keep(const Picture& picture, const EventLog& log) {
+std::string CaptureFiles::keep(const Picture& picture, const EventLog& log) {
   const std::string stem = freeStemFor(folder_, log.scene);
   writePng(picture, folder_ / (stem + ".png"));
   writeWholeFile(folder_ / (stem + ".toml"), log.sceneText);
@@ -40,7 +40,7 @@ std::string Keeper::keep(const Picture& picture, const EventLog& log) {
   return stem + ".png is kept; tyg run --replay " + stem + ".csv does this run again.";
 }
 
-void Keeper::beginMovie(const std::string& sceneName, int width, int height) {
+void CaptureFiles::beginMovie(const std::string& sceneName, int width, int height) {
   if (!haveFfmpeg()) throw InputError("movies need ffmpeg, which is not installed");
   width_ = width / 2 * 2, height_ = height / 2 * 2;
   movieName_ = freeStemFor(folder_, sceneName) + ".mp4";
@@ -48,7 +48,7 @@ void Keeper::beginMovie(const std::string& sceneName, int width, int height) {
   movie_ = std::make_unique<Movie>(folder_ / movieName_, width_, height_, kFramesPerSecond);
 }
 
-std::string Keeper::film(const Picture& picture, double now) {
+std::string CaptureFiles::film(const Picture& picture, double now) {
   if (!movie_) return {};
   if (picture.width / 2 * 2 != width_ || picture.height / 2 * 2 != height_) return endMovie();
   try {
@@ -68,7 +68,7 @@ std::string Keeper::film(const Picture& picture, double now) {
   return {};
 }
 
-std::string Keeper::endMovie() {
+std::string CaptureFiles::endMovie() {
   if (!movie_) return {};
   const std::unique_ptr<Movie> movie = std::move(movie_);
   if (frames_ == 0) return "The movie ended before it began: nothing was written.";

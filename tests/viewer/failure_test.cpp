@@ -38,7 +38,7 @@ TEST_F(WildViewerTest, AnUnstableClothFreezesAtItsLastGoodFrame) {
 TEST_F(WildViewerTest, TheMessageNamesMethodStepAndTime) {
   runUntilFrozen();
   for (const char* word : {"rk4", "50 ms", " s: "}) {
-    EXPECT_NE(viewer_.run().failure().message.find(word), std::string::npos) << viewer_.run().failure().message;
+    EXPECT_NE(viewer_.run().failure().message().find(word), std::string::npos) << viewer_.run().failure().message();
   }
 }
 
@@ -57,9 +57,9 @@ TEST_F(WildViewerTest, AFrozenClothStaysFrozenUntilRestartedWithTheChosenMethod)
 
 TEST_F(WildViewerTest, TheMessageNamesTheLimitAndTheWaysOut) {
   runUntilFrozen();
-  ASSERT_TRUE(viewer_.run().failure().cure);
+  ASSERT_TRUE(viewer_.run().failure().cure());
   for (const char* words : {"its limit is 4.26 ms", "take a step of 3.8 ms", "which holds with this step"}) {
-    EXPECT_NE(viewer_.run().failure().message.find(words), std::string::npos) << viewer_.run().failure().message;
+    EXPECT_NE(viewer_.run().failure().message().find(words), std::string::npos) << viewer_.run().failure().message();
   }
 }
 
@@ -78,7 +78,7 @@ TEST_F(WildViewerTest, TheSafeStepGoesOnFromBeforeTheFailureAndHolds) {
 
 TEST_F(WildViewerTest, AMethodThatHoldsGoesOnWithTheSameStep) {
   runUntilFrozen();
-  const Method* other = viewer_.run().failure().cure->method;
+  const Method* other = viewer_.run().failure().cure()->method;
   ASSERT_NE(other, nullptr);
   tap('M');
   EXPECT_EQ(&viewer_.run().simulation().method(), other);
@@ -109,7 +109,7 @@ TEST_F(WildViewerTest, AFrozenClothStepsBackAndOnAgain) {
   tap(',');
   EXPECT_EQ(viewer_.run().state(), RunState::Paused);
   EXPECT_NEAR(viewer_.run().shown().time(), then - 0.05, 1e-9);
-  EXPECT_TRUE(viewer_.run().failure().message.empty());
+  EXPECT_TRUE(viewer_.run().failure().message().empty());
   tap('.');
   EXPECT_EQ(viewer_.run().shown().time(), then);
   for (int step = 0; step < 100 && viewer_.run().state() == RunState::Paused; ++step) tap('.');
@@ -121,7 +121,7 @@ TEST_F(WildViewerTest, AReplayRunsSlowlyIntoTheFailureAgain) {
   const double then = viewer_.run().shown().time();
   tap('J');
   EXPECT_EQ(viewer_.run().state(), RunState::Running);
-  EXPECT_LT(viewer_.run().speed(), 1);
+  EXPECT_LT(viewer_.run().frameClock().speed(), 1);
   const double from = viewer_.run().shown().time();
   EXPECT_LT(from, then);
   frames(60);
@@ -129,7 +129,7 @@ TEST_F(WildViewerTest, AReplayRunsSlowlyIntoTheFailureAgain) {
   for (int frame = 0; frame < 2000 && viewer_.run().state() == RunState::Running; ++frame) frames(1);
   EXPECT_NE(viewer_.run().state(), RunState::Running);
   EXPECT_GE(viewer_.run().shown().time(), then);
-  EXPECT_EQ(viewer_.run().speed(), 1);
+  EXPECT_EQ(viewer_.run().frameClock().speed(), 1);
 }
 
 TEST_F(WildViewerTest, ARecordOfACuredRunReplaysToTheSameHash) {
@@ -164,15 +164,15 @@ TEST_F(MischosenViewerTest, ACureIsForTheMethodTheStepAndTheWorldThatFailed) {
   const double limit = restLatticeLimit(stiff_, findMethod("explicit-euler"));
   ASSERT_LT(limit, stiff_.dt);
   EXPECT_EQ(viewer_.run().margin().limit, limit);
-  EXPECT_EQ(viewer_.run().failure().cure->step, safeStep(limit));
-  EXPECT_NE(viewer_.run().failure().message.find(formatted(": its limit is %.3g ms; take", 1e3 * limit)),
+  EXPECT_EQ(viewer_.run().failure().cure()->step, safeStep(limit));
+  EXPECT_NE(viewer_.run().failure().message().find(formatted(": its limit is %.3g ms; take", 1e3 * limit)),
             std::string::npos)
-      << viewer_.run().failure().message;
+      << viewer_.run().failure().message();
 }
 
 TEST_F(MischosenViewerTest, ACuredRunHasTheSettingsThatFailedAndTheCure) {
   ASSERT_LT(viewer_.run().shown().time(), 0.75) << "chosen within what a cure goes back";
-  stiff_.dt = viewer_.run().failure().cure->step;
+  stiff_.dt = viewer_.run().failure().cure()->step;
   tap('V');
   EXPECT_EQ(viewer_.run().state(), RunState::Running);
   EXPECT_EQ(viewer_.scenes().scene(), stiff_);
@@ -198,7 +198,7 @@ TEST_F(MischosenViewerTest, WhatIsChosenWhileItIsFrozenIsShownAndCured) {
   EXPECT_STREQ(step.data(), "step of 0.5 ms");
   EXPECT_EQ(viewer_.run().margin().step, 5e-4);
   EXPECT_EQ(viewer_.run().margin().limit, restLatticeLimit(chosen, findMethod("leapfrog")));
-  EXPECT_EQ(viewer_.run().failure().cure->step, chosen.dt) << "it holds";
+  EXPECT_EQ(viewer_.run().failure().cure()->step, chosen.dt) << "it holds";
   tap('V');
   EXPECT_EQ(viewer_.scenes().scene(), chosen);
   EXPECT_EQ(viewer_.run().simulation().scene().drag, 0.01);

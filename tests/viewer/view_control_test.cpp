@@ -1,0 +1,154 @@
+// The view of the cloth without a window: the camera's keys, framing, insets, and what is drawn.
+#include "viewer/view_control.h"
+
+#include <gtest/gtest.h>
+
+#include "viewer/viewer_fixture.h"
+
+namespace tyg {
+namespace {
+
+/// Where the middle of the cloth's box is seen, from -1 at the left edge to 1.
+float middleOf(const Viewer& viewer) {
+  const Camera& camera = viewer.view().camera();
+  const glm::vec4 clip =
+      camera.projection(1280.0F / 720) * camera.view() * glm::vec4(viewer.run().shown().box().centre(), 1);
+  return clip.x / clip.w;
+}
+constexpr Insets kPanelOnTheRight{.left = 200, .right = 600};
+constexpr float kMiddleOfTheRest = -400.0F / 1280;  // 200 pixels to the left
+constexpr float kSeenMiddle = 0.1F;                 // the middle of the box is not that of its picture
+
+TEST_F(ViewerTest, EveryMovingKeyMovesTheEyeItsWay) {
+  const struct {
+    KeyCode key;
+    glm::vec3 way;
+  } kWays[] = {{'W', viewer_.view().camera().forward()},
+               {'S', -viewer_.view().camera().forward()},
+               {'D', viewer_.view().camera().right()},
+               {'A', -viewer_.view().camera().right()},
+               {'E', {0, 1, 0}},
+               {'Q', {0, -1, 0}}};
+  for (const auto& [key, way] : kWays) {
+    const glm::vec3 before = viewer_.view().camera().eye();
+    press(key);
+    frames(6);
+    release(key);
+    EXPECT_GT(glm::dot(viewer_.view().camera().eye() - before, way), 0) << key;
+  }
+}
+
+TEST_F(ViewerTest, TheMouseLooksAroundOnlyWithTheRightButtonHeld) {
+  const float yaw = viewer_.view().camera().yaw();
+  viewer_.handle({.kind = Kind::Move, .x = 700, .y = 300});
+  EXPECT_EQ(viewer_.view().camera().yaw(), yaw);
+  press(kRightButton, 700, 300);
+  viewer_.handle({.kind = Kind::Move, .x = 760, .y = 300});
+  EXPECT_GT(viewer_.view().camera().yaw(), yaw);
+}
+
+TEST_F(ViewerTest, TheWheelGoesNearer) {
+  const float before = viewer_.view().camera().distance();
+  viewer_.handle({.kind = Kind::Scroll, .key = kWheel, .notches = 1});
+  EXPECT_LT(viewer_.view().camera().distance(), before);
+}
+
+TEST_F(ViewerTest, FBringsALostClothBack) {
+  press(kRightButton, 0, 300);
+  const auto lost = [this] {
+    return edgeArrow(viewer_.view().camera(), viewer_.run().shown().box(), {1280, 720}, 20).has_value();
+  };
+  for (int x = 50; x < 2000 && !lost(); x += 50) viewer_.handle({.kind = Kind::Move, .x = double(x), .y = 300});
+  ASSERT_TRUE(lost());
+  tap('F');
+  EXPECT_FALSE(lost());
+}
+
+TEST_F(ViewerTest, APanelMovesTheClothIntoWhatIsFree) {
+  const float distance = viewer_.view().camera().distance();
+  viewer_.resize({.width = 1280, .height = 720}, kPanelOnTheRight);
+  EXPECT_NEAR(middleOf(viewer_), kMiddleOfTheRest, kSeenMiddle);
+  EXPECT_GT(viewer_.view().camera().distance(), 1.1F * distance) << "half the room, and no farther away";
+  viewer_.resize({.width = 1280, .height = 720}, {.left = 200, .right = 200});
+  EXPECT_NEAR(middleOf(viewer_), 0, kSeenMiddle);
+  EXPECT_NEAR(viewer_.view().camera().distance(), distance, 1e-4F * distance);
+}
+
+TEST_F(ViewerTest, APanelSlidesAClothThatThePersonHasLookedAtCloser) {
+  viewer_.handle({.kind = Kind::Scroll, .notches = 2});
+  const glm::vec3 eye = viewer_.view().camera().eye();
+  const float before = middleOf(viewer_);
+  viewer_.resize({.width = 1280, .height = 720}, kPanelOnTheRight);
+  EXPECT_NEAR(middleOf(viewer_), before + kMiddleOfTheRest, kSeenMiddle);
+  viewer_.resize({}, kPanelOnTheRight);
+  viewer_.resize({.width = 1280, .height = 720}, {.left = 200, .right = 200});
+  EXPECT_LT(glm::distance(viewer_.view().camera().eye(), eye), 0.05F * viewer_.view().camera().distance());
+}
+
+TEST_F(ViewerTest, TheViewTakesInASecondClothBesideTheFirst) {
+  constexpr float kAway = 2;  // m
+  viewer_.resize({.width = 1280, .height = 720}, {.left = 200, .right = 200, .beside = kAway});
+  const Camera& camera = viewer_.view().camera();
+  for (const glm::vec3 corner : viewer_.run().shown().box().corners()) {
+    for (const glm::vec3 point : {corner, corner - kAway * camera.right()}) {
+      const glm::vec4 clip = camera.projection(1280.0F / 720) * camera.view() * glm::vec4(point, 1);
+      const float x = 640 * (1 + clip.x / clip.w);
+      EXPECT_GT(x, 200);
+      EXPECT_LT(x, 1080);
+    }
+  }
+}
+
+TEST_F(ViewerTest, TogglesSwitchWhatIsDrawn) {
+  tap('X'), tap('N'), tap('P'), tap('I'), tap('L'), tap('U'), tap('B'), tap('H');
+  const DrawOptions& draw = viewer_.view().drawOptions();
+  EXPECT_TRUE(draw.shear && draw.bend && draw.particles);
+  EXPECT_FALSE(draw.pins || draw.structural || draw.ground || viewer_.view().showsHelp());
+  EXPECT_EQ(draw.background, Background::Light);
+}
+
+constexpr Extent kWindow{.width = 1280, .height = 720};
+const Box kSquare{.low = {-1, -1, 0}, .high = {1, 1, 0}};
+
+/// A view of a square of 2 m, not yet framed.
+ViewControl viewOfASquare() {
+  ViewControl view;
+  const auto corners = kSquare.corners();
+  view.begin({corners.begin(), corners.end()});
+  view.follow(kSquare, false);
+  return view;
+}
+
+TEST(ViewControl, FramesTheClothWhenTheWindowFirstHasASize) {
+  ViewControl view = viewOfASquare();
+  const glm::vec3 before = view.camera().eye();
+  view.resize({}, {});
+  EXPECT_FALSE(view.visible());
+  EXPECT_EQ(view.camera().eye(), before);
+  view.resize(kWindow, {});
+  EXPECT_NE(view.camera().eye(), before);
+}
+
+TEST(ViewControl, FramesWhereAClothWillGetToOnlyBeforeItHasMoved) {
+  ViewControl view = viewOfASquare();
+  view.begin({{-5, -5, 0}, {5, 5, 0}});
+  view.resize(kWindow, {});
+  const float wide = view.camera().distance();
+  view.follow(kSquare, true);
+  view.frameCloth();
+  EXPECT_LT(view.camera().distance(), 0.5F * wide);
+}
+
+TEST(ViewControl, KeepsThePersonsViewWhenTheWindowChanges) {
+  ViewControl view = viewOfASquare();
+  view.resize(kWindow, {});
+  view.approach(3);
+  const float chosen = view.camera().distance();
+  view.resize({.width = 640, .height = 720}, {});
+  EXPECT_NEAR(view.camera().distance(), chosen, 1e-4F * chosen);
+  view.frameCloth();
+  EXPECT_GT(view.camera().distance(), 1.1F * chosen);
+}
+
+}  // namespace
+}  // namespace tyg
