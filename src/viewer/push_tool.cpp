@@ -63,7 +63,8 @@ class PushTool final : public Tool {
 
   /// While it acts or is about to, and long enough to be seen.
   [[nodiscard]] ToolDrawing drawing(const RunControl& run) const override {
-    const bool shows = actsAt(run.simulation().ticks()) || run.now() - pressedAt_ < kShownSeconds;
+    const bool acts = held_ || actsAt(run.simulation().ticks());
+    const bool shows = acts || run.now() - pressedAt_ < kShownSeconds;
     if (!shows || run.state() == RunState::Frozen) return {};
     return {.arrow = ShownPush{.particle = particle_, .force = force_}};
   }

@@ -1,4 +1,5 @@
 // The viewer in a failure, without a window: what it says, and the ways out of it with all that was set.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,7 +7,6 @@
 
 #include "core/simulation/live_parameters.h"
 #include "study/limits/stability.h"
-#include "util/text.h"
 #include "viewer/viewer_fixture.h"
 
 namespace tyg {
@@ -165,7 +165,7 @@ TEST_F(MischosenViewerTest, ACureIsForTheMethodTheStepAndTheWorldThatFailed) {
   ASSERT_LT(limit, stiff_.dt);
   EXPECT_EQ(viewer_.run().margin().limit, limit);
   EXPECT_EQ(viewer_.run().failure().cure()->step, safeStep(limit));
-  EXPECT_NE(viewer_.run().failure().message().find(formatted(": its limit is %.3g ms; take", 1e3 * limit)),
+  EXPECT_NE(viewer_.run().failure().message().find(fmt::format(": its limit is {:.3g} ms; take", 1e3 * limit)),
             std::string::npos)
       << viewer_.run().failure().message();
 }

@@ -73,6 +73,15 @@ TEST_F(ViewerTest, AnArrowStaysLongEnoughToBeSeenAndThenGoes) {
   EXPECT_FALSE(viewer_.tools().drawing().arrow);
 }
 
+TEST_F(ViewerTest, TheArrowStaysWhileTheButtonIsHeldHoweverLongTheFramesAre) {
+  tap(' ');
+  clickOnCloth();
+  for (int frame = 0; frame < 10; ++frame) {
+    frames(1, 0.25);  // a tenth of a simulated second each, which whole pushes fill
+    EXPECT_TRUE(viewer_.tools().drawing().arrow) << frame;
+  }
+}
+
 TEST_F(ViewerTest, AFrozenClothTakesNoTool) {
   viewer_.run().freeze("the driver gave up");
   clickOnCloth();
