@@ -1,5 +1,5 @@
-// The error for all wrong input: scenes, logs, options, files that cannot be read or written. Read these headers in this
-// order: input_error, scene, sheet, method, methods, event_log, simulation. Must not know: who reads the error.
+// The error for all wrong input: scenes, logs, options, files that cannot be read or written. Read these headers in
+// this order: input_error, scene, sheet, method, methods, event_log, simulation. Must not know: who reads the error.
 #pragma once
 
 #include <stdexcept>

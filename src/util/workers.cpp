@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
+#include <memory>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -12,6 +14,7 @@ namespace {
 
 // Long enough to bridge the serial code between two evaluations, short enough to cost an idle machine nothing.
 constexpr int kSpins = 2000;
+constexpr std::size_t kLeftForWork = 64 << 20;  // bytes of addresses that threads do not get
 
 void pauseBriefly() {
 #if defined(__x86_64__)
@@ -38,6 +41,8 @@ struct Workers::Pool {
   std::atomic<bool> ending{false};
   int bands = 1;  // of a job, one for every thread; set before the first job
   int spins = 0;  // none where threads share cores: a spinning one would only keep a working one waiting
+  // Held while threads are made, and never written to: their stacks could else leave no memory for the work itself.
+  std::unique_ptr<std::byte[]> leftForWork;
   std::vector<std::jthread> threads;
 
   ~Pool() {
@@ -66,6 +71,7 @@ struct Workers::Pool {
 Workers::Workers(int threads) {
   if (threads <= 1) return;
   pool_ = std::make_unique<Pool>();
+  pool_->leftForWork = std::make_unique_for_overwrite<std::byte[]>(kLeftForWork);
   pool_->spins = threads <= int(std::thread::hardware_concurrency()) ? kSpins : 0;
   try {
     for (; threads_ < threads; ++threads_) {
@@ -74,6 +80,7 @@ Workers::Workers(int threads) {
   } catch (const std::system_error&) {
     // The system gives no more: those that there are do the same work, to the same bits.
   }
+  pool_->leftForWork.reset();
   pool_->bands = threads_;
 }
 

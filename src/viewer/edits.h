@@ -22,8 +22,8 @@ class Edits {
  public:
   explicit Edits(const Viewer& viewer) : versions_(setupOf(viewer)) { follow(viewer); }
 
-  /// Once a frame, but not while a slider is held: what then differs from before is one change. So is what a key does
-  /// until it is let go of.
+  /// To be called once a frame, but not while a slider is held: everything that differs since the last call is one
+  /// change. While a key is held nothing is noted, so that all it does is one change as well.
   void follow(const Viewer& viewer);
   [[nodiscard]] bool canUndo() const { return versions_.canUndo(); }
   [[nodiscard]] bool canRedo() const { return versions_.canRedo(); }

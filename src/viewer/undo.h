@@ -1,4 +1,4 @@
-// A row of versions of one thing, with the present one among them: what undo and redo walk along.
+// The versions of one thing in their order, for undo and redo: one of them is the present one.
 // Must not know: what the thing is, who changes it.
 #pragma once
 

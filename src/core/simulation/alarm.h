@@ -13,7 +13,7 @@ namespace tyg {
 class Alarm {
  public:
   /// A rise of K + E + G - W by this fraction of the scale, or of K + E + G - W + D with D what damping took during
-  /// about the last kMemory regular looks, means that the run is unstable. How often this is wrong: docs/stability.md,
+  /// about the last kMemory regular checks, means that the run is unstable. How often this is wrong: docs/stability.md,
   /// "How often it is wrong", as measured by tests/benchmarks/alarm_statistics.cpp.
   static constexpr double kThreshold = 0.25;
   static constexpr double kMemory = 16;

@@ -28,7 +28,7 @@ bool Simulation::Impl::halted() const {
 
 std::int64_t Simulation::Impl::stepsToCheck() const { return kStepsBetweenChecks - run.steps % kStepsBetweenChecks; }
 
-/// A step longer than the run does not make the whole run one moment.
+/// Where the step is longer than the run, the run tells which times are the same: they would all be one otherwise.
 Pushes::Instant Simulation::Impl::now() const {
   return {run.clock.time(), kSameTime * std::min(run.clock.dt(), scene.duration), run.clock.ticks()};
 }
