@@ -9,7 +9,8 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 add_library(tyg_settings INTERFACE)
 target_compile_options(tyg_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off -fno-math-errno -fno-trapping-math)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  target_compile_options(tyg_settings INTERFACE -Wno-restrict)  # GCC 12 warns of its own std::string (GCC bug 105651)
+  # GCC 12 warns of its own std::string (GCC bug 105651).
+  target_compile_options(tyg_settings INTERFACE -Wno-restrict -Wno-stringop-overflow)
 endif()
 if(TYG_WERROR)
   target_compile_options(tyg_settings INTERFACE -Werror)
@@ -20,6 +21,25 @@ if(TYG_SANITIZE)
   add_link_options(-fsanitize=${TYG_SANITIZE})
 endif()
 
+# Standard headers are most of what there is to compile in a file, so they are compiled once: for the rooms that compute,
+# for those that show something, and for the commands. Files still include what they use: it must build with
+# CMAKE_DISABLE_PRECOMPILE_HEADERS=ON as well.
+set(tyg_headers <algorithm> <array> <cmath> <cstdint> <functional> <limits> <memory> <optional> <span> <stdexcept> <string>
+  <string_view> <utility> <vector> <fmt/core.h>)
+function(tyg_precompile room)
+  if(room STREQUAL util)
+    target_precompile_headers(tyg_util PRIVATE ${tyg_headers})
+  elseif(room STREQUAL view)
+    target_precompile_headers(tyg_view PRIVATE ${tyg_headers} <filesystem> <glm/glm.hpp>)
+  elseif(room STREQUAL app)
+    target_precompile_headers(tyg_app PRIVATE ${tyg_headers} <filesystem> <glm/glm.hpp> <CLI/CLI.hpp>)
+  elseif(room MATCHES "core|integrators|study")
+    target_precompile_headers(tyg_${room} REUSE_FROM tyg_util)
+  else()
+    target_precompile_headers(tyg_${room} REUSE_FROM tyg_view)
+  endif()
+endfunction()
+
 # A room of the house: every source file in src/ROOM and its folders, plus generated ones.
 function(tyg_library room)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${room}/*.cpp)
@@ -29,6 +49,7 @@ function(tyg_library room)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:include>)
   target_compile_features(tyg_${room} PUBLIC cxx_std_20)
   target_link_libraries(tyg_${room} PRIVATE $<BUILD_INTERFACE:tyg_settings>)
+  tyg_precompile(${room})
 endfunction()
 
 # The force kernel is compiled once per precision and vector level from one source; the program picks at start-up.

@@ -4,10 +4,8 @@
 #include "tyg/methods.h"
 #include "tyg/simulation.h"
 
-namespace {
-
 /// A scene is a plain struct. tyg::loadScene("curtain") reads a built-in one, tyg::loadScene("my.toml") a file.
-tyg::Scene smallCloth() {
+static tyg::Scene smallCloth() {
   tyg::Scene scene;
   scene.columns = 20, scene.rows = 20;
   scene.spacing = 0.1;        // m
@@ -21,7 +19,7 @@ tyg::Scene smallCloth() {
   return scene;
 }
 
-void swing() {
+int main() try {
   tyg::Simulation cloth(smallCloth(), tyg::findMethod("leapfrog"), {.ledger = true});
   std::printf("time_s,kinetic_J,elastic_J,gravitational_J,drift\n");
   for (int tenth = 1; tenth <= 10 && cloth.status() == tyg::Status::Ok; ++tenth) {
@@ -32,15 +30,8 @@ void swing() {
                 energy.drift);
   }
   std::printf("status %s, hash %s\n", tyg::nameOf(cloth.status()).data(), tyg::hashText(cloth).c_str());
-}
-
-}  // namespace
-
-int main() {
-  try {
-    swing();
-  } catch (const tyg::InputError& error) {
-    std::fprintf(stderr, "hello_cloth: %s\n", error.what());
-    return 2;
-  }
+  return cloth.status() == tyg::Status::Ok ? 0 : 1;
+} catch (const tyg::InputError& error) {
+  std::fprintf(stderr, "hello_cloth: %s\n", error.what());
+  return 2;
 }

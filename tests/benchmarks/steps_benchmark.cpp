@@ -33,13 +33,16 @@ void reportPerParticle(benchmark::State& state, int count) {
       benchmark::Counter(particleSteps, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-/// Arguments: particles along a side, threads. `level`: the machine's best where empty.
+/// Arguments: particles along a side, threads. `level`: the machine's best where empty. `pushed`: one particle is
+/// pushed all the time.
 void steps(benchmark::State& state, const std::string& method, Precision precision,
-           std::optional<VectorLevel> level = {}) {
+           std::optional<VectorLevel> level = {}, bool pushed = false) {
   if (level > bestVectorLevel()) return state.SkipWithError("this machine does not have that vector level");
   useVectorLevel(level);
   const int count = int(state.range(0));
-  Simulation simulation(curtain(count, precision), findMethod(method), {.threads = int(state.range(1))});
+  Scene scene = curtain(count, precision);
+  if (pushed) scene.pushes = {{.particle = Place{.name = "middle"}, .force = {0, 0, 0.01}, .at = 0, .duration = 1e6}};
+  Simulation simulation(scene, findMethod(method), {.threads = int(state.range(1))});
   double time = 0;
   for (auto _ : state) {
     time += kStepsPerRound * kStep;
@@ -146,6 +149,8 @@ BENCHMARK_CAPTURE(steps, symplectic_euler_float_avx2, "symplectic-euler", Precis
     ->Apply(sizes);
 BENCHMARK_CAPTURE(steps, symplectic_euler_double_avx2, "symplectic-euler", Precision::Double, VectorLevel::V3)
     ->Apply(sizes);
+BENCHMARK_CAPTURE(steps, leapfrog_float_pushed, "leapfrog", Precision::Float, std::nullopt, true)->Apply(sizes);
+BENCHMARK_CAPTURE(steps, leapfrog_double_pushed, "leapfrog", Precision::Double, std::nullopt, true)->Apply(sizes);
 BENCHMARK_CAPTURE(steps, rk4_double, "rk4", Precision::Double)->Args({64, 1})->UseRealTime();
 
 }  // namespace

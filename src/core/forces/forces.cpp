@@ -98,9 +98,10 @@ struct Forces<T>::Kernel {
   /// One row, with the pushes that act in it. Where there are none at all, nothing is looked up.
   void run(RowTask<T>& rowTask, Update update, int row, bool finishes) const {
     if (!pushes.empty()) {
-      const auto here = std::ranges::equal_range(pushes, row, {}, &PushedParticle<T>::row);
-      rowTask.firstPush = std::to_address(here.begin()), rowTask.endPush = std::to_address(here.end());
-      rowTask.finish = kernels.finish[int(update)][particleTerms][here.empty() ? 0 : 1];
+      const auto first = std::ranges::lower_bound(pushes, row, {}, &PushedParticle<T>::row);
+      const auto end = std::ranges::upper_bound(first, pushes.end(), row, {}, &PushedParticle<T>::row);
+      rowTask.firstPush = std::to_address(first), rowTask.endPush = std::to_address(end);
+      rowTask.finish = kernels.finish[int(update)][particleTerms][first == end ? 0 : 1];
     }
     rowTask.accumulate(rowTask, row, finishes);
   }

@@ -1,5 +1,7 @@
 // Scene files: which keys they have, what each may hold, where built-in scenes come from.
 // Must not know: what a simulation does with a scene.
+#include <fmt/core.h>
+
 #include <cmath>
 #include <string>
 
@@ -137,8 +139,8 @@ Scene parseScene(std::string_view text, const std::string& fileName, std::span<c
     readRoot(SceneTable(root, "", fileName), scene, methods);
     return scene;
   } catch (const toml::parse_error& mistake) {
-    throw InputError(fileName + ':' + std::to_string(mistake.source().begin.line) + ": found what is not TOML (" +
-                     std::string(mistake.description()) + "), allowed TOML 1.0 in UTF-8");
+    throw InputError(fmt::format("{}:{}: found what is not TOML ({}), allowed TOML 1.0 in UTF-8", fileName,
+                                 mistake.source().begin.line, mistake.description()));
   }
 }
 

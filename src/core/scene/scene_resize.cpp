@@ -1,8 +1,9 @@
 // The same cloth on another grid.
 // Must not know: files, simulations.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "core/forces/parameter.h"
 #include "tyg/scene.h"
@@ -10,8 +11,6 @@
 
 namespace tyg {
 namespace {
-
-std::string gridText(int columns, int rows) { return std::to_string(columns) + 'x' + std::to_string(rows); }
 
 /// The index that lies nearest to the same fraction of the way; a single column or row becomes the first.
 int scaled(int index, int oldCount, int newCount) {
@@ -23,14 +22,16 @@ int scaled(int index, int oldCount, int newCount) {
 
 Scene withSheet(Scene scene, int columns, int rows) {
   if (columns < 1 || rows < 1 || columns > kLargestCount || rows > kLargestCount) {
-    throw InputError("sheet: found " + gridText(columns, rows) + ", allowed 1x1 to " +
-                     gridText(kLargestCount, kLargestCount));
+    throw InputError(
+        fmt::format("sheet: found {}x{}, allowed 1x1 to {}x{}", columns, rows, kLargestCount, kLargestCount));
   }
   if (columns == scene.columns && rows == scene.rows) return scene;
   const int oldLongest = std::max(scene.columns, scene.rows), newLongest = std::max(columns, rows);
   if (oldLongest == 1 || newLongest == 1) {
-    throw InputError("sheet: found " + gridText(scene.columns, scene.rows) + " to be made " + gridText(columns, rows) +
-                     ", allowed sheets of at least two particles: a single one has no size to keep");
+    throw InputError(fmt::format(
+        "sheet: found {}x{} to be made {}x{}, allowed sheets of at least two particles: a single one has no "
+        "size to keep",
+        scene.columns, scene.rows, columns, rows));
   }
 
   const auto rescale = [&](Place& place) {

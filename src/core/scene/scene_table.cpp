@@ -4,6 +4,8 @@
 #include "util/text.h"
 #include "util/utf8.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -82,8 +84,7 @@ void SceneTable::text(std::string_view key, std::string& out) {
 }
 
 void SceneTable::integer(std::string_view key, int& out, int lowest, int highest) {
-  const toml::node* value =
-      ask(key, "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest));
+  const toml::node* value = ask(key, fmt::format("a whole number from {} to {}", lowest, highest));
   if (value == nullptr) return;
   if (!value->is_integer()) refuseValue(*value);
   const std::int64_t number = value->ref<std::int64_t>();
@@ -193,8 +194,8 @@ void SceneTable::finish(std::initializer_list<std::string_view> required) const 
 void SceneTable::refuse(std::string_view key, const std::string& found, const std::string& allowed) const {
   const auto at = table_->find(key);
   const toml::source_region& source = at == table_->end() ? table_->source() : at->first.source();
-  throw InputError(*file_ + ':' + std::to_string(source.begin.line) + ": key " + prefix_ + std::string(key) +
-                   ": found " + found + ", allowed " + allowed);
+  throw InputError(
+      fmt::format("{}:{}: key {}{}: found {}, allowed {}", *file_, source.begin.line, prefix_, key, found, allowed));
 }
 
 const toml::node* SceneTable::ask(std::string_view key, std::string allowed) {
@@ -203,12 +204,12 @@ const toml::node* SceneTable::ask(std::string_view key, std::string allowed) {
 }
 
 void SceneTable::refuseValue(const toml::node& value) const {
-  refuseLine(value, "found " + shortened(textOf(value)) + ", allowed " + asked_.back().allowed);
+  refuseLine(value, fmt::format("found {}, allowed {}", shortened(textOf(value)), asked_.back().allowed));
 }
 
 void SceneTable::refuseLine(const toml::node& value, const std::string& foundAndAllowed) const {
-  throw InputError(*file_ + ':' + std::to_string(value.source().begin.line) + ": key " + prefix_ +
-                   std::string(asked_.back().key) + ": " + foundAndAllowed);
+  throw InputError(fmt::format("{}:{}: key {}{}: {}", *file_, value.source().begin.line, prefix_, asked_.back().key,
+                               foundAndAllowed));
 }
 
 }  // namespace tyg

@@ -1,6 +1,8 @@
 // Writing scenes: the keys in the order of the built-in files.
 #include "core/scene/scene_writer.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +24,7 @@ std::string numberText(double number) {
 }
 
 std::string vectorText(const Vec3& vector) {
-  return "[" + numberText(vector.x) + ", " + numberText(vector.y) + ", " + numberText(vector.z) + "]";
+  return fmt::format("[{}, {}, {}]", numberText(vector.x), numberText(vector.y), numberText(vector.z));
 }
 
 /// A TOML basic string with its quotes.
@@ -45,7 +47,7 @@ std::string quoted(std::string_view text) {
 
 std::string placeText(const Place& place) {
   if (!place.name.empty()) return quoted(place.name);
-  return "[" + std::to_string(place.column) + ", " + std::to_string(place.row) + "]";
+  return fmt::format("[{}, {}]", place.column, place.row);
 }
 
 class Writer {
@@ -75,8 +77,8 @@ class Writer {
 
 void writeSheet(Writer& out, const Scene& scene) {
   out.table("[sheet]");
-  out.line("columns", std::to_string(scene.columns));
-  out.line("rows", std::to_string(scene.rows));
+  out.line("columns", fmt::format("{}", scene.columns));
+  out.line("rows", fmt::format("{}", scene.rows));
   out.line("spacing", numberText(scene.spacing), "m");
   if (scene.start == Start::Flat) out.line("start", "\"flat\"");
   out.line("particle_mass", numberText(scene.particleMass), "kg");

@@ -2,6 +2,8 @@
 // Must not know: the moving state, forces, methods.
 #include "tyg/sheet.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -43,15 +45,14 @@ std::vector<int> namedSet(const Sheet& sheet, const std::string& name) {
 int numberedParticle(const Sheet& sheet, const Place& place) {
   const bool inside = place.column >= 0 && place.column < sheet.columns && place.row >= 0 && place.row < sheet.rows;
   if (!inside) {
-    throw InputError("found particle [" + std::to_string(place.column) + ", " + std::to_string(place.row) +
-                     "], allowed columns 0 to " + std::to_string(sheet.columns - 1) + " and rows 0 to " +
-                     std::to_string(sheet.rows - 1));
+    throw InputError(fmt::format("found particle [{}, {}], allowed columns 0 to {} and rows 0 to {}", place.column,
+                                 place.row, sheet.columns - 1, sheet.rows - 1));
   }
   return indexOf(sheet, place.column, place.row);
 }
 
 [[noreturn]] void refuseName(const Place& place, const std::string& allowed) {
-  throw InputError("found particle \"" + place.name + "\", allowed " + allowed + ", [column, row]");
+  throw InputError(fmt::format("found particle \"{}\", allowed {}, [column, row]", place.name, allowed));
 }
 
 /// A family's springs as steps on the grid: from (c, r) to (c + columns, r + rows).

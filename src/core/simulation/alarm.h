@@ -1,4 +1,4 @@
-// The energy alarm. Damping and drag only take, so two sums never rise by themselves: what a cloth stores less the work
+// The energy alarm. Damping only takes, so two sums never rise by themselves: what a cloth stores less the work
 // put in, and that with what damping has lately taken. A method past its limit breaks the first where it explodes, and
 // the second where it jitters: there damping burns, step by step, what the method invents, and the store stays low.
 //
@@ -22,7 +22,7 @@ class Alarm {
   /// `startEnergy` = K + E at the start.
   Alarm(double floor, double startEnergy) : floor_(floor), largest_(startEnergy) {}
 
-  /// Takes the power (W) that damping and drag take at a time (s), at the regular checks alone and before check().
+  /// Takes the power (W) that damping takes at a time (s), at the regular checks alone and before check().
   /// Between two of them the loss is estimated as their distance in time times the lower of their powers: too little
   /// wherever motion dies out or swells, and hardly too little for a jitter, which goes on. Each check forgets a part
   /// 1/kMemory of D, so that small errors of the estimate do not add up over a long run; forgetting never lifts the

@@ -42,5 +42,11 @@ struct Springs {
 using StructuralSprings = Springs<Family::Structural>;
 using ShearSprings = Springs<Family::Shear>;
 using BendSprings = Springs<Family::Bend>;
+template <>
+const ForceTerm StructuralSprings::kTerm;
+template <>
+const ForceTerm ShearSprings::kTerm;
+template <>
+const ForceTerm BendSprings::kTerm;
 
 }  // namespace tyg
