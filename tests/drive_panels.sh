@@ -111,6 +111,6 @@ few_frames
 press Escape
 wait_for_end "Escape"
 grep -q '^# columns = 12' "$record" || fail "the record is not that of the edited scene"
-grep -q '^[0-9]*,drag,' "$record" || fail "the record misses the drag"
+grep -q '^[0-9]*,world,world.drag,' "$record" || fail "the record misses the drag"
 "$tyg" run --replay "$record" >/dev/null || fail "the record of an edited scene does not replay to the same bits"
 echo "the panels do what is done to them"

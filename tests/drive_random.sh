@@ -15,7 +15,7 @@ width=${screen%x*} height=${screen#*x}
 RANDOM=$seed
 some_key() { key=${keys[RANDOM % ${#keys[@]}]}; }
 some_place() { place="$((RANDOM % width)) $((RANDOM % height))"; }
-deed() {
+random_input() {
   some_place
   local from=$place
   some_place
@@ -40,11 +40,11 @@ deed() {
 }
 
 open_window curtain --window "$backend" --record "$record"
-deeds=0 end=$((SECONDS + seconds))
+inputs=0 end=$((SECONDS + seconds))
 while ((SECONDS < end)); do
-  deed
+  random_input
   few_frames 1
-  deeds=$((deeds + 1))
+  inputs=$((inputs + 1))
 done
 
 look && frames=$frame
@@ -57,4 +57,4 @@ done
 wait_for_end "Escape"
 if grep -qE 'nan|inf' <(cut -d, -f1-12 "$log" | tail -n +2); then fail "a number in the log is none"; fi
 [[ -s $record ]] || fail "nothing was recorded"
-echo "$backend: $deeds random deeds in $seconds s, seed $seed, $frames frames, and the window is well"
+echo "$backend: $inputs random inputs in $seconds s, seed $seed, $frames frames, and the window is well"

@@ -16,7 +16,6 @@
 
 #include "core/forces/term.h"
 #include "tyg/methods.h"
-#include "ui/overlay.h"
 #include "viewer/edits.h"
 #include "viewer/push_tool.h"
 #include "viewer/viewer.h"
