@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <thread>
+#include <utility>
 
 #include "core/forces/row_kernel.h"
 #include "core/forces/term.h"
@@ -78,7 +79,7 @@ constexpr int kGroup = 4;
 
 template <class T>
 struct Forces<T>::Kernel {
-  explicit Kernel(const Sheet& ofSheet) : sheet(ofSheet) {}
+  explicit Kernel(Sheet ofSheet) : sheet(std::move(ofSheet)) {}
 
   const RowKernels<T>& kernels = rowKernels<T>();
   Sheet sheet;
