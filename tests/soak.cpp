@@ -132,7 +132,7 @@ class Soak {
     return {};
   }
 
-  void send(const WindowEvent& event) { router_.route(event); }
+  void send(const WindowEvent& event) { (void)router_.route(event); }
   void key(KeyCode code) {
     send({.kind = WindowEvent::Kind::Press, .key = code, .control = chance(0.1), .shift = chance(0.1)});
     send({.kind = WindowEvent::Kind::Release, .key = code});

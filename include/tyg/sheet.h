@@ -33,7 +33,7 @@ int particleAt(const Sheet& sheet, const Place& place);
 std::vector<int> particlesAt(const Sheet& sheet, const Place& place);
 
 enum class Family { Structural, Shear, Bend };
-/// One spring as a pair of particles (for drawing and for tests: the forces never walk such a list).
+/// One spring as a pair of particles (for drawing and for tests: the forces use no such list).
 struct SpringEnds {
   int first, second;
 };

@@ -73,7 +73,7 @@ void FrameLoop::takeEvents() {
   const double patience = viewer_.idle() || hidden ? rest : spare_;
   for (const WindowEvent& event : window_->events(stale_ > 0 || panels_.busy() ? spare_ : patience)) {
     stale_ = kFramesToSettle;
-    router_.route(event);
+    (void)router_.route(event);
   }
   if (window_->framebuffer() != shown_) stale_ = kFramesToSettle;
 }

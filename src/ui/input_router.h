@@ -23,7 +23,7 @@ class InputRouter {
   /// Is asked after all that were added before. `name` must stay valid.
   void add(std::string_view name, Receiver receiver) { receivers_.push_back({name, std::move(receiver)}); }
   /// Offers the event to one after the other. Returns the name of the one that took it; empty: none did.
-  std::string_view route(const WindowEvent& event) const;
+  [[nodiscard]] std::string_view route(const WindowEvent& event) const;
 
  private:
   struct Entry {

@@ -7,9 +7,6 @@
 
 namespace tyg {
 
-/// What printf would print, however long.
-[[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
-
 /// A number for files, the same whatever the locale: the fewest digits that read back as the number itself, and always
 /// 17 significant ones, which do too.
 std::string shortNumber(double number);

@@ -80,15 +80,15 @@ void History::cut(const Simulation& simulation) {
   whole_ = {};
 }
 
-History::Moment History::newest(const Simulation& simulation) const {
-  return past_ ? newest_ : Moment{simulation.ticks(), simulation.time()};
+History::TimePoint History::newest(const Simulation& simulation) const {
+  return past_ ? newest_ : TimePoint{simulation.ticks(), simulation.time()};
 }
 
 std::int64_t History::tickAt(double time, const Simulation& simulation) const {
   const auto next = std::ranges::upper_bound(copies_, time, {}, &Snapshot::time);
   if (next == copies_.begin()) return first().ticks;
   const Snapshot& before = *std::prev(next);
-  const Moment after = next == copies_.end() ? newest(simulation) : Moment{next->ticks(), next->time()};
+  const TimePoint after = next == copies_.end() ? newest(simulation) : TimePoint{next->ticks(), next->time()};
   if (!(after.time > before.time())) return after.ticks;
   const double share = std::clamp((time - before.time()) / (after.time - before.time()), 0.0, 1.0);
   return before.ticks() + std::llround(share * double(after.ticks - before.ticks()));

@@ -16,7 +16,7 @@ class History {
   static constexpr double kSeconds = 10;                ///< simulated, that are kept
   static constexpr std::size_t kMostBytes = 128 << 20;  ///< of all copies; but two of them there are in any case
 
-  struct Moment {
+  struct TimePoint {
     std::int64_t ticks = 0;
     double time = 0;  ///< s
   };
@@ -37,9 +37,9 @@ class History {
   void cut(const Simulation& simulation);
 
   [[nodiscard]] bool past() const { return past_; }
-  [[nodiscard]] Moment first() const { return {copies_.front().ticks(), copies_.front().time()}; }
+  [[nodiscard]] TimePoint first() const { return {copies_.front().ticks(), copies_.front().time()}; }
   /// The last moment that was reached.
-  [[nodiscard]] Moment newest(const Simulation& simulation) const;
+  [[nodiscard]] TimePoint newest(const Simulation& simulation) const;
   /// The tick that begins nearest to a time (s); an estimate where the step changed between two checkpoints.
   [[nodiscard]] std::int64_t tickAt(double time, const Simulation& simulation) const;
   /// The log up to the newest moment, with its length and the hash there.
@@ -56,8 +56,8 @@ class History {
   std::size_t mostBytes_;
   std::deque<Snapshot> copies_;  ///< oldest first, never empty once begun
   bool past_ = false;
-  EventLog whole_;  ///< while past: record() of the newest moment
-  Moment newest_;   ///< while past
+  EventLog whole_;    ///< while past: record() of the newest moment
+  TimePoint newest_;  ///< while past
   std::int64_t target_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// What a run tells those who act on its cloth: the tools, and whoever keeps the settings that are in use.
+// What a run tells those who act on its cloth: the tools, and the part that keeps the settings in use.
 // Must not know: who listens.
 #pragma once
 

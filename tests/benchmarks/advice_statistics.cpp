@@ -68,12 +68,12 @@ void climb(const Scene& scene, const Method& method, const Reference& reference,
   double limit = restLatticeLimit(scene, method);
   if (limit == 0) limit = restLatticeLimit(scene, findMethod("symplectic-euler"));
   const double interval = reference.motion.times.front();
-  double knob =
+  double parameter =
       method.adaptive ? 0.02 * reference.size : std::min(interval, limit > 0 ? kLoosestOfLimit * limit : interval);
   Scene setting = scene;
-  for (int rung = 0; rung < 200; ++rung, knob /= method.adaptive ? 2 : kFiner) {
-    const double step = interval / std::ceil(interval / knob - 1e-9);
-    (method.adaptive ? setting.tolerance : setting.dt) = method.adaptive ? knob : step;
+  for (int rung = 0; rung < 200; ++rung, parameter /= method.adaptive ? 2 : kFiner) {
+    const double step = interval / std::ceil(interval / parameter - 1e-9);
+    (method.adaptive ? setting.tolerance : setting.dt) = method.adaptive ? parameter : step;
     SamplingOptions options;
     options.threads = 1;
     const double unit = cost(setting, 1);
@@ -194,7 +194,7 @@ int main(int count, char** words) {
   const int random = count > 1 ? std::atoi(words[1]) : 40;
   const bool builtin = count <= 2 || std::atoi(words[2]) != 0;
   std::puts(
-      "scene,columns,rows,asked,unit,runs,integrator,precision,knob,achieved_m,seconds,cost_ratio,error_ratio,"
+      "scene,columns,rows,asked,unit,runs,integrator,precision,parameter,achieved_m,seconds,cost_ratio,error_ratio,"
       "status");
   Tally errors, budgets, errorsOfBuiltin, budgetsOfBuiltin;
   for (int seed = 1; seed <= random; ++seed) {

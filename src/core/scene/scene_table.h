@@ -20,7 +20,7 @@ namespace tyg {
 /// where the value is wrong.
 class SceneTable {
  public:
-  /// `table` and `file` must outlive this object. `prefix` stands before every key in messages: "" or "sheet.".
+  /// `table` and `file` must outlive this object. `prefix` is written before every key in messages: "" or "sheet.".
   SceneTable(const toml::table& table, std::string prefix, const std::string& file);
 
   void text(std::string_view key, std::string& out);

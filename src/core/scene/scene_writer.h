@@ -11,7 +11,7 @@ namespace tyg {
 
 /// TOML that parseScene() turns into an equal scene (all but the name, which is the file's): numbers in the shortest
 /// form that reads back as the same bits, units as comments, and what has the default of an empty world left out.
-/// `comment`, where there is one, stands in front, each of its lines after a `# `.
+/// `comment`, where there is one, comes first, each of its lines after a `# `.
 std::string sceneToToml(const Scene& scene, std::string_view comment = {});
 
 }  // namespace tyg

@@ -1,11 +1,14 @@
-// Refining a scene once, in each direction.
+// A scene is refined once in each direction: in time, and on the sheet.
 #include "study/diet/model_needs.h"
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include <fmt/core.h>
 
+#include "study/motion/progress.h"
 #include "study/motion/resampled.h"
 #include "tyg/methods.h"
 
@@ -16,78 +19,65 @@ constexpr double kTolerance = 1e-6;  // of the size: far below any change of the
 /// Shares of the whole work: the finer sheet has four times the particles and twice the steps.
 constexpr double kStepShare = 0.1, kSheetShare = 0.9;
 
-class NeedFinder {
- public:
-  NeedFinder(const Scene& scene, const Reference& reference, double upTo, int threads,
-             const std::function<bool(double)>& observer)
-      : scene_(scene), reference_(reference), upTo_(upTo), threads_(threads), observer_(observer) {}
-
-  std::vector<Need> find() {
-    // The scene's own step is compared with half of it, everything else with the exact motion of the scene.
-    const SampledMotion written = run(scene_, findMethod(scene_.integrator), kStepShare / 2);
-    compare(Need::Kind::Step, halfStepWords(), halfStep(), findMethod(scene_.integrator), kStepShare / 2, written);
-    if (scene_.columns > 1 && scene_.rows > 1) {
-      const int columns = 2 * scene_.columns - 1, rows = 2 * scene_.rows - 1;
-      if (std::max(columns, rows) <= kLargestCount) {
-        compare(Need::Kind::Sheet, fmt::format("sheet {}x{}", columns, rows), exactly(withSheet(scene_, columns, rows)),
-                findMethod("dopri54"), kSheetShare, reference_.motion);
-      }
-    }
-    return std::move(needs_);
-  }
-
- private:
-  [[nodiscard]] Scene exactly(Scene scene) const {
-    scene.precision = Precision::Double;
-    scene.tolerance = kTolerance * reference_.size;
-    return scene;
-  }
-
-  [[nodiscard]] Scene halfStep() const {
-    Scene scene = scene_;
-    findMethod(scene.integrator).adaptive ? scene.tolerance /= 10 : scene.dt /= 2;
-    return scene;
-  }
-
-  [[nodiscard]] std::string halfStepWords() const {
-    const Scene half = halfStep();
-    return findMethod(half.integrator).adaptive ? fmt::format("tolerance {:.3g} m", half.tolerance)
-                                                : fmt::format("step {:.3g} ms", 1000 * half.dt);
-  }
-
-  SampledMotion run(const Scene& scene, const Method& method, double share) {
-    const auto observer = [&](double time) {
-      stopped_ = stopped_ || !observer_(done_ + share * time / scene.duration);
-      return !stopped_;
-    };
-    SampledMotion motion =
-        sampledRun(scene, method, reference_.motion.times, {.threads = threads_, .observer = observer});
-    done_ += share;
-    return motion;
-  }
-
-  void compare(Need::Kind kind, const std::string& words, const Scene& finer, const Method& method, double share,
-               const SampledMotion& with) {
-    if (stopped_) return;
-    const SampledMotion motion = run(finer, method, share);
-    if (stopped_) return;
-    Need need{kind, words, {}, with.ledger.maxStretch, motion.ledger.maxStretch};
-    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-    const bool whole = motion.status == Status::Ok && with.status == Status::Ok;
-    need.change = whole ? motionError(upTo(upTo_, resampled(motion, finer, scene_)), upTo(upTo_, with))
-                        : Distance{kUnknown, kUnknown};
-    needs_.push_back(need);
-  }
-
-  const Scene& scene_;
-  const Reference& reference_;
-  double upTo_;
-  int threads_;
-  const std::function<bool(double)>& observer_;
-  std::vector<Need> needs_;
-  bool stopped_ = false;
-  double done_ = 0;
+/// What every comparison of one scene needs.
+struct Search {
+  const Scene& scene;
+  const Reference& reference;
+  double upTo;  // s
+  int threads;
+  Progress progress;
 };
+
+/// A finer version of the scene, and what it costs as a share of the whole work.
+struct Finer {
+  Need::Kind kind;
+  std::string words;
+  Scene scene;
+  double share;
+};
+
+SampledMotion run(const Scene& scene, double share, Search& search) {
+  const double done = search.progress.fraction();
+  const auto observer = [&](double time) { return search.progress.reach(done + share * time / scene.duration); };
+  SampledMotion motion = sampledRun(scene, findMethod(scene.integrator), search.reference.motion.times,
+                                    {.threads = search.threads, .observer = observer});
+  search.progress.advanceTo(done + share);
+  return motion;
+}
+
+/// How far the finer version is from `with`; nothing where somebody said stop.
+std::optional<Need> compared(const Finer& finer, const SampledMotion& with, Search& search) {
+  if (search.progress.stopped()) return std::nullopt;
+  const SampledMotion motion = run(finer.scene, finer.share, search);
+  if (search.progress.stopped()) return std::nullopt;
+  Need need{finer.kind, finer.words, {}, with.ledger.maxStretch, motion.ledger.maxStretch};
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  const bool whole = motion.status == Status::Ok && with.status == Status::Ok;
+  need.change =
+      whole ? motionError(upTo(search.upTo, resampled(motion, finer.scene, search.scene)), upTo(search.upTo, with))
+            : Distance{kUnknown, kUnknown};
+  return need;
+}
+
+Finer withHalfTheStep(Scene scene) {
+  const bool adaptive = findMethod(scene.integrator).adaptive;
+  adaptive ? scene.tolerance /= 10 : scene.dt /= 2;
+  std::string words =
+      adaptive ? fmt::format("tolerance {:.3g} m", scene.tolerance) : fmt::format("step {:.3g} ms", 1000 * scene.dt);
+  return {Need::Kind::Step, std::move(words), std::move(scene), kStepShare / 2};
+}
+
+/// On twice as fine a sheet, by an exact method; nothing for a sheet of one row or column, and where that would be too
+/// large.
+std::optional<Finer> onAFinerSheet(const Scene& scene, double size) {
+  const int columns = 2 * scene.columns - 1, rows = 2 * scene.rows - 1;
+  if (scene.columns == 1 || scene.rows == 1 || std::max(columns, rows) > kLargestCount) return std::nullopt;
+  Scene finer = withSheet(scene, columns, rows);
+  finer.integrator = "dopri54";
+  finer.precision = Precision::Double;
+  finer.tolerance = kTolerance * size;
+  return Finer{Need::Kind::Sheet, fmt::format("sheet {}x{}", columns, rows), std::move(finer), kSheetShare};
+}
 
 /// The up to eight particles around one.
 std::vector<int> neighbours(const Sheet& sheet, int particle) {
@@ -114,7 +104,16 @@ bool hangsByPoints(const Scene& scene) {
 
 std::vector<Need> needsOf(const Scene& scene, const Reference& reference, double upTo, int threads,
                           const std::function<bool(double)>& observer) {
-  return NeedFinder(scene, reference, upTo, threads, observer).find();
+  Search search{scene, reference, upTo, threads, Progress(observer)};
+  std::vector<Need> needs;
+  const auto add = [&](const std::optional<Need>& need) {
+    if (need) needs.push_back(*need);
+  };
+  // The scene's own step is compared with half of it, everything else with the exact motion of the scene.
+  const SampledMotion written = run(scene, kStepShare / 2, search);
+  add(compared(withHalfTheStep(scene), written, search));
+  if (const auto finer = onAFinerSheet(scene, reference.size)) add(compared(*finer, reference.motion, search));
+  return needs;
 }
 
 }  // namespace tyg

@@ -18,7 +18,7 @@ struct Need {
   std::string words;  ///< such as `sheet 39x39`
   Distance change;    ///< from the scene's motion, m, the largest over the times; NaN: its run failed
   double stretch = 0, finerStretch = 0;  ///< largest of the scene and of the finer one, fractions of the rest length
-  /// Is the scene too lean for an accuracy of `within` m?
+  /// Is the scene too coarse for an accuracy of `within` m?
   [[nodiscard]] bool tooLean(double within) const { return !(change.rms <= within); }
 };
 

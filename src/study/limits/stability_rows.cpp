@@ -9,6 +9,7 @@
 #include "study/limits/measured_limit.h"
 #include "study/limits/stability_study.h"
 #include "util/csv.h"
+#include "util/wrapped.h"
 
 namespace tyg {
 namespace {
@@ -47,17 +48,15 @@ std::string tableLine(const StabilityStudy& study, const StabilityCase& entry) {
                      cell(limit.predicted), cell(limit.certified), cell(entry.atRest), cell(entry.inMotion), first);
 }
 
-/// The words in lines of a page.
-std::string wrapped(const std::string& words) {
-  constexpr std::size_t kWidth = 96;
-  std::string page, line;
-  for (std::size_t from = 0; from < words.size();) {
-    const std::size_t end = std::min(words.find(' ', from), words.size());
-    if (line.size() + 1 + end - from > kWidth) page += line + "\n", line = " ";
-    line += (line.empty() ? "" : " ") + words.substr(from, end - from);
-    from = end + 1;
+/// The words in lines of a page; all but the first line are indented.
+std::string paragraph(const std::string& words) {
+  constexpr float kWidth = 94;
+  std::string page;
+  for (const char c : wrapped(words, kWidth, [](std::string_view line) { return float(line.size()); })) {
+    page += c;
+    if (c == '\n') page += "  ";
   }
-  return page + line + "\n";
+  return page + "\n";
 }
 
 /// What explicit Euler's row without damping means.
@@ -153,12 +152,12 @@ std::string stabilityTable(const StabilityStudy& study) {
   table += "                                                    measured\n";
   table += "method            damping predicted certified   at rest in motion   first to fail, set by\n";
   for (const StabilityCase& entry : study.cases) table += tableLine(study, entry);
-  table += "\n" + wrapped(
+  table += "\n" + paragraph(
                       "predicted: from the modes of the sheet at rest with its pins. certified: for any deformation. "
                       "measured: the largest step found that keeps the energy alarm quiet, in tiny motions around "
                       "rest and in the scene's own motion. none: no step; all: every step tried; -: does not exist "
                       "or takes too long to measure.");
-  for (const std::string& note : notesOn(study)) table += wrapped(note);
+  for (const std::string& note : notesOn(study)) table += paragraph(note);
   return table;
 }
 

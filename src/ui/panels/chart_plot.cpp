@@ -118,7 +118,7 @@ struct ChartPlot::Layout {
     const float across = std::clamp(x(costOf(row, scale)), left, right);
     return {across, failed(row) ? top + 0.5F * strip() : y(1e3 * row.rmsError)};
   }
-  [[nodiscard]] Colour colour(const MethodStyle& look) const { return seriesColour(look.colour, scope.background); }
+  [[nodiscard]] Colour colour(const MethodStyle& style) const { return seriesColour(style.colour, scope.background); }
   [[nodiscard]] ImVec2 extent(const char* text) const {
     return ImGui::GetFont()->CalcTextSizeA(small(), 1e6F, 0, text);
   }
@@ -220,8 +220,8 @@ void ChartPlot::drawCurves(const Layout& layout, const Contents& contents) const
   }
   const WorkRow* before = nullptr;
   for (const WorkRow& row : contents.rows) {
-    const MethodStyle look = styleOfMethod(row.integrator);
-    const Colour colour = faded(layout.colour(look), shareOf(row.integrator));
+    const MethodStyle style = styleOfMethod(row.integrator);
+    const Colour colour = faded(layout.colour(style), shareOf(row.integrator));
     if (failed(row)) {
       const ImVec2 at = layout.at(row);
       const float arm = kMarkRadius * layout.scope.size;
@@ -230,10 +230,10 @@ void ChartPlot::drawCurves(const Layout& layout, const Contents& contents) const
     }
     if (!shown(row)) continue;
     if (before != nullptr && before->integrator == row.integrator) {
-      drawLine(layout.list, layout.at(*before), layout.at(row), colour, 1.5F, look.dashed);
+      drawLine(layout.list, layout.at(*before), layout.at(row), colour, 1.5F, style.dashed);
     }
     before = &row;
-    drawMark(layout.list, look.mark, layout.at(row), kMarkRadius * layout.scope.size, colour);
+    drawMark(layout.list, style.mark, layout.at(row), kMarkRadius * layout.scope.size, colour);
   }
 }
 
@@ -243,9 +243,9 @@ void ChartPlot::drawPresent(const Layout& layout, const Contents& contents, cons
   const ImVec2 at{fails ? layout.right - layout.strip() : layout.x(contents.scale.cost(place.seconds)),
                   fails ? layout.top + 0.5F * layout.strip() : layout.y(1e3 * place.error)};
   const float radius = 0.5F * layout.scope.size;
-  const MethodStyle look = styleOfMethod(contents.present.method->name);
+  const MethodStyle style = styleOfMethod(contents.present.method->name);
   layout.list.AddCircleFilled(at, radius, layout.scope.colours.text, 24);
-  layout.list.AddCircleFilled(at, 0.72F * radius, layout.colour(look), 24);
+  layout.list.AddCircleFilled(at, 0.72F * radius, layout.colour(style), 24);
   if (fails) {
     const float arm = 0.4F * radius;
     layout.list.AddLine({at.x - arm, at.y - arm}, {at.x + arm, at.y + arm}, layout.scope.colours.text, 2);
@@ -306,10 +306,10 @@ void ChartPlot::legend(const PanelScope& scope, const Contents& contents) {
     const bool under = ImGui::IsWindowHovered() && cursor.x >= at.x && cursor.x < at.x + cell && cursor.y >= at.y &&
                        cursor.y < at.y + line;
     if (under) emphasised_ = &method;
-    const MethodStyle look = styleOfMethod(method.name);
+    const MethodStyle style = styleOfMethod(method.name);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    drawMark(list, look.mark, {at.x + 0.6F * small, at.y + 0.55F * small}, 1.2F * kMarkRadius * scope.size,
-             seriesColour(look.colour, scope.background));
+    drawMark(list, style.mark, {at.x + 0.6F * small, at.y + 0.55F * small}, 1.2F * kMarkRadius * scope.size,
+             seriesColour(style.colour, scope.background));
     const bool present = &method == contents.present.method;
     list.AddText(ImGui::GetFont(), small, {at.x + 1.4F * small, at.y},
                  under || present ? scope.colours.text : scope.colours.dim, method.name.data(),

@@ -111,8 +111,8 @@ class ControlPanel final : public Panel {
       wanted.dt = std::clamp(wanted.dt, kShortestMs * 1e-3, kLongestMs * 1e-3);
     }
     if (adaptive) {
-      tip(scope,
-          "between two looks; " + wanted.integrator + " chooses its own\nsteps in it, as small as the tolerance asks");
+      tip(scope, "Time goes on in ticks. Within a tick " + wanted.integrator +
+                     " chooses its\nown steps, as small as the tolerance asks.");
     }
     drawStepMargin(scope);
     drawTolerance(scope, wanted);

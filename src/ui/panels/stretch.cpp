@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/forces/terms/springs.h"
 #include "ui/panels/colour_bar.h"
 #include "ui/panels/paragraph.h"
 #include "view/stretch.h"
@@ -15,12 +16,7 @@
 namespace tyg {
 namespace {
 
-constexpr std::array kFamilies{Family::Structural, Family::Shear, Family::Bend};
 constexpr std::array kNames{"structural", "shear", "bend"};
-
-const SpringFamily& springsOf(const Scene& scene, Family family) {
-  return family == Family::Structural ? scene.structural : family == Family::Shear ? scene.shear : scene.bend;
-}
 
 class StretchPanel final : public Panel {
  public:
@@ -29,7 +25,7 @@ class StretchPanel final : public Panel {
     double most = 0, typical = 0;
     for (std::size_t k = 0; k < kFamilies.size(); ++k) {
       stretches_.at(k) = {};
-      if (!springsOf(simulation.scene(), kFamilies.at(k)).present()) continue;
+      if (!familyOf(simulation.scene(), kFamilies.at(k)).present()) continue;
       stretches_.at(k) = stretchOf(simulation.sheet(), viewer.run().shown().positions(), kFamilies.at(k));
       most = std::max({most, stretches_.at(k).largest, -stretches_.at(k).smallest});
       typical = std::max(typical, stretches_.at(k).rms);
@@ -66,7 +62,7 @@ class StretchPanel final : public Panel {
     }
     const Scene& scene = scope.viewer.run().simulation().scene();
     for (std::size_t k = 0; k < kFamilies.size(); ++k) {
-      if (!springsOf(scene, kFamilies.at(k)).present()) continue;
+      if (!familyOf(scene, kFamilies.at(k)).present()) continue;
       const Stretch& stretch = stretches_.at(k);
       ImGui::TableNextColumn();
       ImGui::TextUnformatted(kNames.at(k));

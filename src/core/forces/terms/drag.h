@@ -1,4 +1,4 @@
-// Drag of air that stands still: a force -drag * v on every particle.
+// Drag of air at rest: a force -drag * v on every particle.
 #pragma once
 
 #include "core/forces/terms/term_list.h"
