@@ -11,6 +11,7 @@ import sys
 import tempfile
 
 MOST_LINES_OF_README = 150
+EXAMPLE = "examples/hello_cloth/hello_cloth.cpp"
 PROBE = "docs_test_probe"  # a key that no scene has
 BASE_SCENE = {
     "": 'title = "Probe"',
@@ -244,7 +245,12 @@ def long_readme(pages, _, __):
         yield f"README.md: {lines} lines, allowed are {MOST_LINES_OF_README}"
 
 
-CHECKS = (broken_links, lost_pages_and_pictures, missing_paths, wrong_commands, unnamed, options_of_commands,
+def wrong_example(pages, truth, _):
+    if f"```cpp\n{truth.example}```" not in pages["docs/embedding.md"]:
+        yield f"docs/embedding.md: does not hold the text of {EXAMPLE}"
+
+
+CHECKS = (wrong_example, broken_links, lost_pages_and_pictures, missing_paths, wrong_commands, unnamed, options_of_commands,
           keys_of_scenes, long_readme)
 
 
@@ -279,6 +285,7 @@ PLANTED = (
     ("README.md", "## Commands", "`src/cellar/`\n\n## Commands", "there is no src/cellar/"),
     ("README.md", "## Commands", "    build/release/tests/nothing\n\n## Commands", "nothing builds"),
     ("docs/embedding.md", "tyg/sheet.h", "tyg/cellar.h", "there is no include/tyg/cellar.h"),
+    ("docs/embedding.md", "cloth.tick(100)", "cloth.tick(10)", "does not hold the text of"),
     ("README.md", "work/ limits/", "work/ attic/", "there is no src/study/attic/"),
     ("docs/methods.md", "# Methods\n", "# Methods\n\n`tyg dance`\n", "dance is no command"),
     ("docs/methods.md", "# Methods\n", "# Methods\n\n`tyg run carpet`\n", "carpet is no scene"),
@@ -308,6 +315,7 @@ def main(source, tyg):
     files = [source / "README.md", *sorted((source / "docs").glob("*.md"))]
     pages = {str(file.relative_to(source)): file.read_text(encoding="utf-8") for file in files}
     truth = Truth(tyg)
+    truth.example = (source / EXAMPLE).read_text(encoding="utf-8")
     found = complaints(pages, truth, exists) + list(wrong_citations(source, pages))
     for page, before, after, expected in PLANTED:
         spoiled = {**pages, page: pages[page].replace(before, after)}

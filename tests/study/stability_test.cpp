@@ -33,7 +33,7 @@ double largestMassW2(const Scene& scene) {
   return scene.particleMass * 4 / (h * h);
 }
 
-/// The largest m w^2 of an unbounded sheet at rest in closed form (model, section 8).
+/// The largest m w^2 of an unbounded sheet at rest in closed form (docs/model.md, section 8).
 double closedForm(double ks, double kh, double kb) {
   const double along = 4 * (kh + kb), both = ks + kh;
   const double first = ks <= along ? 2 * ks + along + (along > 0 ? ks * ks / along : 0) : 4 * ks;

@@ -31,8 +31,8 @@ struct LatticeWave {
   Mode mode;
 };
 
-/// The lattice symbols of a scene (model, section 8): springs along one axis give 2 k (1 - cos q) there; both diagonals
-/// together give the shear terms. Only springs that the sheet has room for count.
+/// The lattice symbols of a scene (docs/model.md, section 8): springs along one axis give 2 k (1 - cos q) there; both
+/// diagonals together give the shear terms. Only springs that the sheet has room for count.
 class Lattice {
  public:
   explicit Lattice(const Scene& scene);
@@ -60,7 +60,7 @@ class Lattice {
 
   /// A mode that no motion of this wave exceeds in stiffness or damping, however the sheet is deformed: a spring pulls
   /// with no more than ks in every direction (its Hessian never exceeds ks times the graph Laplacian), and either law
-  /// of damping with no more than kd (model, section 8).
+  /// of damping with no more than kd (docs/model.md, section 8).
   [[nodiscard]] Mode anyDeformation(double qx, double qy) const {
     return {everyWay(stiffness_, qx, qy), particleDamping_ + everyWay(damping_, qx, qy)};
   }

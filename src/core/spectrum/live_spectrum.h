@@ -18,10 +18,10 @@ namespace tyg {
 /// With K = -da/dx and C = -da/dv of the present state, a direction u of unit length (pinned particles at rest) moves
 /// like the mode w2 = u.Ku, d = u.Cu. The methods' limits are level lines of stableStep(w2, d), and the mode that sets
 /// the limit reaches farthest along the normal (a, b) of its level line: the eigenvector of a K + b C with the largest
-/// eigenvalue. For symplectic Euler b/a = 2/h and for leapfrog 4/h whatever the mode (model, section 8), so the answer
-/// is exact there once the iteration has settled. Where damping alone limits a method in another way than stiffness
-/// does (Runge-Kutta), two modes are followed in turn, and the smaller limit counts.
-/// A call is one restart of a Lanczos iteration (Lanczos 1950) of three products, from the mode found last.
+/// eigenvalue. For symplectic Euler b/a = 2/h and for leapfrog 4/h whatever the mode (docs/model.md, section 8), so the
+/// answer is exact there once the iteration has settled. Where damping alone limits a method in another way than
+/// stiffness does (Runge-Kutta), two modes are followed in turn, and the smaller limit counts. A call is one restart of
+/// a Lanczos iteration (Lanczos 1950) of three products, from the mode found last.
 template <class T>
 class LiveSpectrum {
  public:

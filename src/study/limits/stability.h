@@ -17,10 +17,10 @@ double restLatticeLimit(const Scene& scene, const Method& method);
 
 /// A step (s) up to which no deformation of the sheet makes the method unstable: each mode of the sheet as it is at any
 /// one time stays bounded. For symplectic Euler, leapfrog and report-rk4 from max over q of h^2 Lk + c h Ld <= 4 m
-/// (model, section 8); for imex the same with no damping; for Runge-Kutta methods the smallest limit of any mode with
-/// w2 <= max Lk / m and d <= max Ld / m, which every mode has whatever the springs' directions. 0 where no step can be
-/// certified; NaN where the method has no limit, or one that depends on the whole spectrum (rkc2). Springs that are
-/// compressed may buckle: that is motion, and no method's fault.
+/// (docs/model.md, section 8); for imex the same with no damping; for Runge-Kutta methods the smallest limit of any
+/// mode with w2 <= max Lk / m and d <= max Ld / m, which every mode has whatever the springs' directions. 0 where no
+/// step can be certified; NaN where the method has no limit, or one that depends on the whole spectrum (rkc2). Springs
+/// that are compressed may buckle: that is motion, and no method's fault.
 double certifiedLimit(const Scene& scene, const Method& method);
 
 /// What limits a method in a scene, and which motion fails first.

@@ -1,5 +1,5 @@
 // The few numbers of a motion that still can be compared where single positions are lost: energy, centre of mass and
-// gyration radius (model.md, section 7). Must not know: how motions come about, which methods there are.
+// gyration radius (docs/model.md, section 7). Must not know: how motions come about, which methods there are.
 #pragma once
 
 #include <span>

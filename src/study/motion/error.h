@@ -1,4 +1,4 @@
-// How far a motion is from another one: the error E of model.md.
+// How far a motion is from another one: the error E of docs/model.md, section 7.
 // Must not know: how the motions came about.
 #pragma once
 

@@ -1,5 +1,5 @@
 // The motion that errors are measured against, how far it can be trusted, and how strongly the cloth itself amplifies a
-// small disturbance (model.md, section 7). Must not know: the methods under study, clocks.
+// small disturbance (docs/model.md, section 7). Must not know: the methods under study, clocks.
 #pragma once
 
 #include <functional>
