@@ -145,10 +145,10 @@ class ParticleRow {
         columns_(in.columns) {}
 
   template <class Term>
-  TYG_INLINE double sumOverPositions(const Term& term) const {
+  [[nodiscard]] TYG_INLINE double sumOverPositions(const Term& term) const {
     return sumOf(columns_, [&](int k) { return term(eightVectors(position_ + k, plane_)); });
   }
-  TYG_INLINE double halfSquaresOfVelocity() const { return halfSquares(velocity_, plane_, columns_); }
+  [[nodiscard]] TYG_INLINE double halfSquaresOfVelocity() const { return halfSquares(velocity_, plane_, columns_); }
 
  private:
   const T *position_, *velocity_;

@@ -2,6 +2,8 @@
 // Must not know: the other passes, windows, the simulation.
 #pragma once
 
+#include <utility>
+
 #include "gfx/passes/disc_drawing.h"
 #include "gfx/passes/frame.h"
 #include "gfx/passes/line_drawing.h"
@@ -13,7 +15,7 @@ namespace tyg {
 /// What all passes of a renderer draw from and with. Outlives them.
 struct Canvas {
   /// A sheet of up to Positions::mostPoints() particles.
-  explicit Canvas(const Sheet& of) : sheet(of) {}
+  explicit Canvas(Sheet of) : sheet(std::move(of)) {}
 
   Sheet sheet;
   Positions positions{sheet.count()};  ///< of the particles, uploaded once a frame before the first pass

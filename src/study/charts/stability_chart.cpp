@@ -184,7 +184,8 @@ void addLimits(const Layout& layout, double dt, ChartScript& script) {
 
 void addRegion(std::size_t k, const RegionPanel& panel, double topOfPanels, ChartScript& script) {
   const double x = double(k % kPanelsAcross) * kWidth / kPanelsAcross, right = x + kWidth / kPanelsAcross - 30;
-  const double y = topOfPanels + double(k / kPanelsAcross) * (kPanel + kPanelHead);
+  const std::size_t row = k / kPanelsAcross;
+  const double y = topOfPanels + double(row) * (kPanel + kPanelHead);
   const Extent& extent = panel.extent;
   script.label(std::string(panel.method->name), {x + kPanelLeft, y - 8}, {.colour = kInk});
   script.label(panel.verdict, {right, y - 8}, {.colour = kGrey, .scale = 0.8, .side = ChartScript::Side::Right});

@@ -158,7 +158,8 @@ void addLegend(const Layout& layout, ChartScript& script) {
   const std::size_t columns = layout.legendColumns;
   const double entryWidth = (layout.width - kLeft - kRight) / double(std::max<std::size_t>(columns, 3));
   for (std::size_t k = 0; k < study.runs.size(); ++k) {
-    const Pixel at{kLeft + entryWidth * double(k % columns), kHead + kLegendRow * double(k / columns)};
+    const std::size_t column = k % columns, row = k / columns;
+    const Pixel at{kLeft + entryWidth * double(column), kHead + kLegendRow * double(row)};
     const double y = 1 - at.y / layout.height;
     script.add("  set arrow from screen {:.12g},{:.12g} to screen {:.12g},{:.12g} nohead {}\n", at.x / layout.width, y,
                (at.x + kSampleWidth - 30) / layout.width, y, styleOf(k, study));

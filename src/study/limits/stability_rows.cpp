@@ -32,7 +32,7 @@ std::string cell(double step) {
 
 std::string firstMode(const StabilityStudy& study, const StabilityCase& entry) {
   const StepLimit& limit = entry.limit;
-  const std::string appearance = appearanceOf(study.scene, limit);
+  std::string appearance = appearanceOf(study.scene, limit);
   if (appearance == "none") return appearance;
   return fmt::format("{} {} by {} q=({:.2f} {:.2f})", appearance, limit.outOfPlane ? "out of plane" : "in plane",
                      limit.byDamping ? "damping" : "stiffness", limit.qx, limit.qy);

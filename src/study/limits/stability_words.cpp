@@ -35,7 +35,7 @@ std::string appearanceOf(const Scene& scene, const StepLimit& limit) {
 }
 
 std::string describe(const Scene& scene, const StepLimit& limit) {
-  const std::string appearance = appearanceOf(scene, limit);
+  std::string appearance = appearanceOf(scene, limit);
   if (appearance == "none") return appearance;
   return fmt::format("{} {}, q = ({:.2f}, {:.2f}), set by {}", appearance,
                      limit.outOfPlane ? "out of plane" : "in plane", limit.qx, limit.qy,
