@@ -3,6 +3,8 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+# A room's files need not wait until the libraries below it are complete; only linking must.
+set(CMAKE_OPTIMIZE_DEPENDENCIES ON)
 
 # -ffp-contract=off: the same bits from every compiler and vector width. -fno-math-errno, -fno-trapping-math: square
 # roots and selections vectorise; neither changes a result.
@@ -32,7 +34,7 @@ function(tyg_precompile room)
   elseif(room STREQUAL view)
     target_precompile_headers(tyg_view PRIVATE ${tyg_headers} <filesystem> <glm/glm.hpp>)
   elseif(room STREQUAL app)
-    target_precompile_headers(tyg_app PRIVATE ${tyg_headers} <filesystem> <glm/glm.hpp> <CLI/CLI.hpp>)
+    target_precompile_headers(tyg_app PRIVATE ${tyg_headers} <filesystem> <glm/glm.hpp>)
   elseif(room MATCHES "core|integrators|study")
     target_precompile_headers(tyg_${room} REUSE_FROM tyg_util)
   else()

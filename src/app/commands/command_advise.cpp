@@ -1,9 +1,9 @@
 // `tyg advise`: the cheapest method, step, precision and threads for an error or a time budget, with proof.
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 #include <thread>
 
+#include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/output/exit_code.h"
 #include "app/output/progress.h"
@@ -103,19 +103,18 @@ int advise(const AdviseOptions& options) {
 }  // namespace
 
 void addAdviseCommand(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand(
-      "advise", "The cheapest method, step, precision and threads for an error or a time budget, with proof");
+  Command command(app, "advise",
+                  "The cheapest method, step, precision and threads for an error or a time budget, with proof");
   const auto options = std::make_shared<AdviseOptions>();
-  addSceneOptions(*command, options->scene);
-  command->add_option("--error", options->error, "The largest error allowed: a length, or % of the sheet's size")
-      ->type_name("1mm|1%");
-  command->add_option("--budget", options->budget, "The computing time allowed for each frame of 1/60 s")
-      ->type_name("4ms");
-  command->add_option("--write", options->write, "Write the scene with the advised settings to this file")
-      ->type_name("FILE.toml");
-  command->add_flag("--json", options->json, "One JSON object on standard output instead of the lines");
-  command->footer(kExamples);
-  command->callback([options, &action] { action = [options] { return advise(*options); }; });
+  addSceneOptions(command, options->scene);
+  command.option("--error", options->error, "The largest error allowed: a length, or % of the sheet's size")
+      .typeName("1mm|1%");
+  command.option("--budget", options->budget, "The computing time allowed for each frame of 1/60 s").typeName("4ms");
+  command.option("--write", options->write, "Write the scene with the advised settings to this file")
+      .typeName("FILE.toml");
+  command.flag("--json", options->json, "One JSON object on standard output instead of the lines");
+  command.footer(kExamples);
+  command.onChosen([options, &action] { action = [options] { return advise(*options); }; });
 }
 
 }  // namespace tyg

@@ -1,5 +1,4 @@
 // `tyg chart`: speed against accuracy, every method on one chart.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -8,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
 #include "app/output/drawn_files.h"
@@ -229,29 +229,27 @@ int chart(const ChartOptions& options) {
 }  // namespace
 
 void addChartCommand(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("chart", "Speed against accuracy: every method's error and cost on one chart");
+  Command command(app, "chart", "Speed against accuracy: every method's error and cost on one chart");
   const auto options = std::make_shared<ChartOptions>();
-  addSceneOptions(*command, options->scene);
-  command->add_option("--methods", options->methods, "Which methods (tyg list shows them) [all]")
-      ->type_name("NAME,...");
+  addSceneOptions(command, options->scene);
+  command.option("--methods", options->methods, "Which methods (tyg list shows them) [all]").typeName("NAME,...");
   command
-      ->add_option("--error-range", options->errorRange,
-                   "Draw only errors between these fractions of the sheet's size, and stop below them [all errors]")
-      ->type_name("A:B");
-  command->add_option("--horizon", options->horizon, "Simulate and compare only the first S seconds [the whole scene]")
-      ->type_name("S")
-      ->check([](const std::string& text) { return checkPositive(text, "seconds, such as 0.5"); });
+      .option("--error-range", options->errorRange,
+              "Draw only errors between these fractions of the sheet's size, and stop below them [all errors]")
+      .typeName("A:B");
+  command.option("--horizon", options->horizon, "Simulate and compare only the first S seconds [the whole scene]")
+      .typeName("S")
+      .check([](const std::string& text) { return checkPositive(text, "seconds, such as 0.5"); });
   command
-      ->add_option("--sheets", options->sheets,
-                   "Finer sheets of the same cloth; a line on the chart shows how far away the last one is")
-      ->type_name("CxR,...");
-  command->add_option("--compare", options->compare, "An earlier rows.csv of the same scene, which is drawn in grey")
-      ->type_name("ROWS.csv");
-  command->add_flag("--quick", options->quick, "Fewer steps and fewer repeats: the curtain takes less than 20 s");
-  command->add_option("--out", options->out, "Folder for rows.csv, chart.gp, chart.svg and chart.png [out]")
-      ->type_name("DIR");
-  command->footer(kExamples);
-  command->callback([options, &action] { action = [options] { return chart(*options); }; });
+      .option("--sheets", options->sheets,
+              "Finer sheets of the same cloth; a line on the chart shows how far away the last one is")
+      .typeName("CxR,...");
+  command.option("--compare", options->compare, "An earlier rows.csv of the same scene, which is drawn in grey")
+      .typeName("ROWS.csv");
+  command.flag("--quick", options->quick, "Fewer steps and fewer repeats: the curtain takes less than 20 s");
+  command.option("--out", options->out, "Folder for rows.csv, chart.gp, chart.svg and chart.png [out]").typeName("DIR");
+  command.footer(kExamples);
+  command.onChosen([options, &action] { action = [options] { return chart(*options); }; });
 }
 
 }  // namespace tyg

@@ -1,10 +1,10 @@
 // `tyg diet`: what each part of the model costs, what is lost without it, and what the model leaves out.
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 
 #include <fmt/core.h>
 
+#include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/output/drawn_files.h"
 #include "app/output/exit_code.h"
@@ -133,16 +133,15 @@ int diet(const DietOptions& options) {
 }  // namespace
 
 void addDietCommand(CLI::App& app, Action& action) {
-  CLI::App* command =
-      app.add_subcommand("diet", "What each part of a scene's model costs, and what is lost without it");
+  Command command(app, "diet", "What each part of a scene's model costs, and what is lost without it");
   const auto options = std::make_shared<DietOptions>();
-  addSceneOptions(*command, options->scene);
-  command->add_option("--within", options->within, "How much may be lost: a length, or % of the sheet's size [1%]")
-      ->type_name("5mm|1%");
-  command->add_option("--out", options->out, "Folder for diet.csv, lean.toml and overlay.png [out]")->type_name("DIR");
-  command->add_flag("--json", options->json, "One JSON object on standard output instead of the table");
-  command->footer(kExamples);
-  command->callback([options, &action] { action = [options] { return diet(*options); }; });
+  addSceneOptions(command, options->scene);
+  command.option("--within", options->within, "How much may be lost: a length, or % of the sheet's size [1%]")
+      .typeName("5mm|1%");
+  command.option("--out", options->out, "Folder for diet.csv, lean.toml and overlay.png [out]").typeName("DIR");
+  command.flag("--json", options->json, "One JSON object on standard output instead of the table");
+  command.footer(kExamples);
+  command.onChosen([options, &action] { action = [options] { return diet(*options); }; });
 }
 
 }  // namespace tyg

@@ -1,5 +1,4 @@
 // `tyg list`: the built-in scenes and the methods, for people (80 columns) or as JSON.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -8,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/output/exit_code.h"
 #include "app/reports/json.h"
@@ -103,11 +103,11 @@ std::string json() { return jsonText({{"scenes", scenesJson()}, {"methods", meth
 }  // namespace
 
 void addListCommand(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("list", "Show the built-in scenes and the methods");
+  Command command(app, "list", "Show the built-in scenes and the methods");
   const auto asJson = std::make_shared<bool>(false);
-  command->add_flag("--json", *asJson, "Print one JSON object with the keys scenes and methods");
-  command->footer("Examples:\n  tyg list\n  tyg list --json");
-  command->callback([asJson, &action] {
+  command.flag("--json", *asJson, "Print one JSON object with the keys scenes and methods");
+  command.footer("Examples:\n  tyg list\n  tyg list --json");
+  command.onChosen([asJson, &action] {
     action = [asJson] {
       std::cout << (*asJson ? json() : page()) << std::flush;
       return kDone;

@@ -1,5 +1,4 @@
 // `tyg plot`: x, y, z of chosen particles against time, as rows, a gnuplot script, and pictures where gnuplot is there.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -7,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
 #include "app/output/drawn_files.h"
@@ -90,24 +90,21 @@ int plot(const PlotOptions& options) {
 }  // namespace
 
 void addPlotCommand(CLI::App& app, Action& action) {
-  CLI::App* command =
-      app.add_subcommand("plot", "Chart x, y, z of chosen particles against time, by one or more methods");
+  Command command(app, "plot", "Chart x, y, z of chosen particles against time, by one or more methods");
   const auto options = std::make_shared<PlotOptions>();
-  addSceneOptions(*command, options->scene);
+  addSceneOptions(command, options->scene);
   command
-      ->add_option(
-          "--particles", options->particles,
-          "Which particles: top-left, top-right, bottom-left, bottom-right, middle, or COLUMN:ROW; at most six "
-          "[those that the scene displaces or pushes, else bottom-left and middle]")
-      ->type_name("NAME,...");
+      .option("--particles", options->particles,
+              "Which particles: top-left, top-right, bottom-left, bottom-right, middle, or COLUMN:ROW; at most six "
+              "[those that the scene displaces or pushes, else bottom-left and middle]")
+      .typeName("NAME,...");
   command
-      ->add_option("--methods", options->methods,
-                   std::string("Which methods (tyg list shows them) [--integrator, else ") + kUsualMethods + "]")
-      ->type_name("NAME,...");
-  command->add_option("--out", options->out, "Folder for plot.csv, plot.gp, plot.svg and plot.png [out]")
-      ->type_name("DIR");
-  command->footer(kExamples);
-  command->callback([options, &action] { action = [options] { return plot(*options); }; });
+      .option("--methods", options->methods,
+              std::string("Which methods (tyg list shows them) [--integrator, else ") + kUsualMethods + "]")
+      .typeName("NAME,...");
+  command.option("--out", options->out, "Folder for plot.csv, plot.gp, plot.svg and plot.png [out]").typeName("DIR");
+  command.footer(kExamples);
+  command.onChosen([options, &action] { action = [options] { return plot(*options); }; });
 }
 
 }  // namespace tyg

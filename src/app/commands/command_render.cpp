@@ -1,10 +1,10 @@
 // `tyg render`: a picture, a sequence of pictures or a movie of a scene, without a display.
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 
 #include <fmt/core.h>
 
+#include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
 #include "app/output/render.h"
@@ -78,29 +78,26 @@ int renderChosen(const RenderOptions& options) {
 }  // namespace
 
 void addRenderCommand(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("render", "Draw a picture, a sequence or a movie, without a display");
+  Command command(app, "render", "Draw a picture, a sequence or a movie, without a display");
   const auto options = std::make_shared<RenderOptions>();
-  addSceneOptions(*command, options->scene);
+  addSceneOptions(command, options->scene);
   const auto time = [](const std::string& text) { return checkNotNegative(text, "seconds, such as 0.5"); };
-  command->add_option("--at", options->at, "One picture at this simulated time, s")->type_name("S")->check(time);
-  command->add_option("--from", options->from, "The simulated time of the first of several pictures, s [0]")
-      ->type_name("S")
-      ->check(time);
-  command->add_option("--to", options->to, "The simulated time of the last one, s [the end]")
-      ->type_name("S")
-      ->check(time);
-  command->add_option("--fps", options->fps, "Pictures per simulated second [30]")
-      ->type_name("N")
-      ->check([](const std::string& text) { return checkPositive(text, "pictures per second, such as 30"); });
-  command->add_option("--size", options->size, "Pixels of each picture, width x height [1280x720]")
-      ->type_name("WxH")
-      ->check([](const std::string& text) { return checkPair(text, kMostPixels, "pixels, such as 1280x720"); });
-  command
-      ->add_option("--out", options->out, "FILE.png, FILE.mp4, FILE.gif or a folder [SCENE.png, or the folder SCENE]")
-      ->type_name("PATH");
-  command->add_flag("--light", options->light, "A light background");
-  command->footer(kExamples);
-  command->callback([options, &action] { action = [options] { return renderChosen(*options); }; });
+  command.option("--at", options->at, "One picture at this simulated time, s").typeName("S").check(time);
+  command.option("--from", options->from, "The simulated time of the first of several pictures, s [0]")
+      .typeName("S")
+      .check(time);
+  command.option("--to", options->to, "The simulated time of the last one, s [the end]").typeName("S").check(time);
+  command.option("--fps", options->fps, "Pictures per simulated second [30]")
+      .typeName("N")
+      .check([](const std::string& text) { return checkPositive(text, "pictures per second, such as 30"); });
+  command.option("--size", options->size, "Pixels of each picture, width x height [1280x720]")
+      .typeName("WxH")
+      .check([](const std::string& text) { return checkPair(text, kMostPixels, "pixels, such as 1280x720"); });
+  command.option("--out", options->out, "FILE.png, FILE.mp4, FILE.gif or a folder [SCENE.png, or the folder SCENE]")
+      .typeName("PATH");
+  command.flag("--light", options->light, "A light background");
+  command.footer(kExamples);
+  command.onChosen([options, &action] { action = [options] { return renderChosen(*options); }; });
 }
 
 }  // namespace tyg

@@ -1,11 +1,11 @@
 // `tyg run`: simulate a scene without a window, and report.
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <iostream>
 #include <memory>
 
 #include <fmt/core.h>
 
+#include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
 #include "app/output/exit_code.h"
@@ -202,31 +202,30 @@ int run(const RunOptions& options) {
 }  // namespace
 
 void addRunCommand(CLI::App& app, Action& action) {
-  CLI::App* command =
-      app.add_subcommand("run", "Simulate a scene without a window, and report energies, steps and time");
+  Command command(app, "run", "Simulate a scene without a window, and report energies, steps and time");
   const auto options = std::make_shared<RunOptions>();
-  addSceneOptions(*command, options->scene);
+  addSceneOptions(command, options->scene);
   options->scene.scene.clear();
-  CLI::Option* scene = command->get_option("SCENE")->required(false);
+  CommandOption scene = command.find("SCENE").required(false);
   constexpr int kMostSamples = 1000000;
-  auto* samples = command->add_option("--samples", options->samples,
-                                      "Number of equally spaced sample times after t = 0, for --out [20]");
-  samples->type_name("K")->check(
-      [](const std::string& text) { return checkCount(text, kMostSamples, "sample times"); });
-  auto* out = command->add_option("--out", options->out, "Write every particle at the sample times to this CSV file");
-  out->type_name("FILE.csv");
-  command->add_flag("--ledger", options->ledger,
-                    "Add up the dissipated energy too, and report the drift of the energy ledger");
-  command->add_flag("--keep-going", options->keepGoing, "Go on after the instability alarm, and end with exit code 0");
-  auto* replay = command->add_option("--replay", options->replay,
-                                     "Do again what tyg view --record logged, with the log's method, step, "
-                                     "tolerance and precision; without SCENE on its own scene");
-  replay->type_name("LOG")->excludes(out)->excludes(samples)->excludes(command->get_option("--duration"));
-  command->add_flag("--json", options->json, "Print one JSON object instead of the summary, after a failure too");
-  command->add_flag("--verbose", options->verbose, "First print on standard error what is simulated, and how");
-  command->footer(kExamples);
-  command->callback([options, scene, replay, &action] {
-    if (scene->count() == 0 && replay->count() == 0) throw CLI::RequiredError(scene->get_name(true));
+  CommandOption samples = command.option("--samples", options->samples,
+                                         "Number of equally spaced sample times after t = 0, for --out [20]");
+  samples.typeName("K").check([](const std::string& text) { return checkCount(text, kMostSamples, "sample times"); });
+  CommandOption out =
+      command.option("--out", options->out, "Write every particle at the sample times to this CSV file");
+  out.typeName("FILE.csv");
+  command.flag("--ledger", options->ledger,
+               "Add up the dissipated energy too, and report the drift of the energy ledger");
+  command.flag("--keep-going", options->keepGoing, "Go on after the instability alarm, and end with exit code 0");
+  CommandOption replay = command.option("--replay", options->replay,
+                                        "Do again what tyg view --record logged, with the log's method, step, "
+                                        "tolerance and precision; without SCENE on its own scene");
+  replay.typeName("LOG").excludes(out).excludes(samples).excludes(command.find("--duration"));
+  command.flag("--json", options->json, "Print one JSON object instead of the summary, after a failure too");
+  command.flag("--verbose", options->verbose, "First print on standard error what is simulated, and how");
+  command.footer(kExamples);
+  command.onChosen([options, scene, replay, &action] {
+    if (!scene.given() && !replay.given()) scene.refuseMissing();
     action = [options] { return run(*options); };
   });
 }

@@ -1,9 +1,9 @@
 // `tyg stability`: how large a step may be, predicted, certified and measured, method by method.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 #include <memory>
 
+#include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
 #include "app/output/drawn_files.h"
@@ -60,15 +60,13 @@ int stability(const StabilityOptions& options) {
 }  // namespace
 
 void addStabilityCommand(CLI::App& app, Action& action) {
-  CLI::App* command =
-      app.add_subcommand("stability", "Step limits: predicted, certified for any deformation, and measured");
+  Command command(app, "stability", "Step limits: predicted, certified for any deformation, and measured");
   const auto options = std::make_shared<StabilityOptions>();
-  addSceneOptions(*command, options->scene);
-  command->add_option("--methods", options->methods, "Which methods (tyg list shows them) [all]")
-      ->type_name("NAME,...");
-  command->add_option("--out", options->out, "Folder for stability.csv, .gp, .svg and .png [out]")->type_name("DIR");
-  command->footer(kExamples);
-  command->callback([options, &action] { action = [options] { return stability(*options); }; });
+  addSceneOptions(command, options->scene);
+  command.option("--methods", options->methods, "Which methods (tyg list shows them) [all]").typeName("NAME,...");
+  command.option("--out", options->out, "Folder for stability.csv, .gp, .svg and .png [out]").typeName("DIR");
+  command.footer(kExamples);
+  command.onChosen([options, &action] { action = [options] { return stability(*options); }; });
 }
 
 }  // namespace tyg

@@ -1,11 +1,11 @@
 // `tyg view`: its options, the record of the run, and what happens where no window can be opened.
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
+#include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
 #include "app/output/exit_code.h"
@@ -86,29 +86,26 @@ std::string checkScale(const std::string& text) {
 }  // namespace
 
 void addViewCommand(CLI::App& app, Action& action) {
-  auto* command =
-      app.add_subcommand("view", "The window: space starts and pauses, a left click pokes, H shows the keys");
+  Command command(app, "view", "The window: space starts and pauses, a left click pokes, H shows the keys");
   auto options = std::make_shared<ViewOptions>();
-  addSceneOptions(*command, options->scene, false);
+  addSceneOptions(command, options->scene, false);
   const auto size = [](const std::string& text) {
     return checkPair(text, kMostPixels, "width x height in pixels, such as 1280x720");
   };
-  command->add_option("--window", options->window, "Library that opens the window [glfw]")
-      ->check([](const std::string& text) {
+  command.option("--window", options->window, "Library that opens the window [glfw]")
+      .check([](const std::string& text) {
         return checkOneOf(text, {"glfw", "glut"});
       })
-      ->type_name("glfw|glut");
-  command->add_option("--size", options->size, "Pixels of the window [1280x720]")->check(size)->type_name("WxH");
-  command->add_option("--ui-scale", options->uiScale, "Size of the text, on top of the screen's own scale [1]")
-      ->check(checkScale)
-      ->type_name("X");
-  command->add_option("--log", options->log, "Write one CSV line a frame here, for scripts that watch the window")
-      ->type_name("FILE.csv");
-  command
-      ->add_option("--record", options->record,
-                   "Write the run here, its scene, pushes and changes, for tyg run --replay")
-      ->type_name("FILE");
-  command->callback([&action, options] { action = [options] { return view(*options); }; });
+      .typeName("glfw|glut");
+  command.option("--size", options->size, "Pixels of the window [1280x720]").check(size).typeName("WxH");
+  command.option("--ui-scale", options->uiScale, "Size of the text, on top of the screen's own scale [1]")
+      .check(checkScale)
+      .typeName("X");
+  command.option("--log", options->log, "Write one CSV line a frame here, for scripts that watch the window")
+      .typeName("FILE.csv");
+  command.option("--record", options->record, "Write the run here, its scene, pushes and changes, for tyg run --replay")
+      .typeName("FILE");
+  command.onChosen([&action, options] { action = [options] { return view(*options); }; });
 }
 
 }  // namespace tyg

@@ -15,6 +15,8 @@ class App;
 
 namespace tyg {
 
+class Command;
+
 /// What the chosen command does once the whole command line is understood; the result is the exit code.
 /// It throws InputError for wrong input (exit code 2).
 using Action = std::function<int()>;
@@ -28,7 +30,7 @@ struct SceneOptions {
 };
 /// Adds SCENE and --integrator, --dt, --tolerance, --duration, --precision, --threads, --sheet to a command.
 /// `options` must live as long as `command`.
-void addSceneOptions(CLI::App& command, SceneOptions& options, bool sceneRequired = true);
+void addSceneOptions(Command& command, SceneOptions& options, bool sceneRequired = true);
 /// The scene with the overrides applied. Throws InputError.
 Scene chosenScene(const SceneOptions& options);
 Scene overridden(Scene scene, const SceneOptions& options);

@@ -9,7 +9,7 @@
 namespace tyg {
 
 // Each takes the text of a value and returns an empty text where it is good, else what is wrong with it: the shape that
-// CLI::Option::check() wants.
+// CommandOption::check() wants.
 
 /// A finite number above 0. `meaning` completes "a number above 0", for example "seconds, such as 0.002".
 std::string checkPositive(const std::string& text, const std::string& meaning);

@@ -1,7 +1,7 @@
 // The options that every simulating command shares: which scene, and what the command line changes in it.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
 #include "tyg/methods.h"
@@ -13,61 +13,61 @@ namespace {
 constexpr int kMostParticlesAlongASide = 4096;
 constexpr int kMostThreads = 1024;
 
-void addNumbers(CLI::App& command, SceneOptions& options) {
+void addNumbers(Command& command, SceneOptions& options) {
   const auto seconds = [](const std::string& text) { return checkPositive(text, "seconds, such as 0.002"); };
   const auto metres = [](const std::string& text) { return checkPositive(text, "metres, such as 1e-4"); };
   const auto threads = [](const std::string& text) { return checkCount(text, kMostThreads, "threads"); };
-  command.add_option("--dt", options.dt, "Time step of a fixed-step method, in s [the scene's]")
-      ->check(seconds)
-      ->type_name("S")
-      ->group("Scene");
-  command.add_option("--tolerance", options.tolerance, "Error that an adaptive method aims at, in m [the scene's]")
-      ->check(metres)
-      ->type_name("M")
-      ->group("Scene");
-  command.add_option("--duration", options.duration, "Simulated time, in s [the scene's]")
-      ->check(seconds)
-      ->type_name("S")
-      ->group("Scene");
+  command.option("--dt", options.dt, "Time step of a fixed-step method, in s [the scene's]")
+      .check(seconds)
+      .typeName("S")
+      .group("Scene");
+  command.option("--tolerance", options.tolerance, "Error that an adaptive method aims at, in m [the scene's]")
+      .check(metres)
+      .typeName("M")
+      .group("Scene");
+  command.option("--duration", options.duration, "Simulated time, in s [the scene's]")
+      .check(seconds)
+      .typeName("S")
+      .group("Scene");
   command
-      .add_option(
+      .option(
           "--threads", options.threads,
           "Threads that share the rows of the sheet; more than there are cores is allowed, and the result is the same "
           "[1 for small sheets, else every core]")
-      ->check(threads)
-      ->type_name("N")
-      ->group("Scene");
+      .check(threads)
+      .typeName("N")
+      .group("Scene");
 }
 
 }  // namespace
 
-void addSceneOptions(CLI::App& command, SceneOptions& options, bool sceneRequired) {
-  auto* scene = command.add_option("SCENE", options.scene,
-                                   std::string("A built-in scene (tyg list shows them) or the path of a .toml file") +
-                                       (sceneRequired ? "" : " [" + options.scene + "]"));
-  scene->required(sceneRequired)->type_name("");
-  command.add_option("--integrator", options.integrator, "Method: " + joined(methodNames()) + " [the scene's]")
-      ->type_name("NAME")
-      ->group("Scene");
+void addSceneOptions(Command& command, SceneOptions& options, bool sceneRequired) {
+  CommandOption scene =
+      command.option("SCENE", options.scene,
+                     std::string("A built-in scene (tyg list shows them) or the path of a .toml file") +
+                         (sceneRequired ? "" : " [" + options.scene + "]"));
+  scene.required(sceneRequired).typeName("");
+  command.option("--integrator", options.integrator, "Method: " + joined(methodNames()) + " [the scene's]")
+      .typeName("NAME")
+      .group("Scene");
   addNumbers(command, options);
   command
-      .add_option("--precision", options.precision,
-                  "Numbers of 32 bits (float, faster) or of 64 bits (double, more exact) [the scene's]")
-      ->check([](const std::string& text) {
+      .option("--precision", options.precision,
+              "Numbers of 32 bits (float, faster) or of 64 bits (double, more exact) [the scene's]")
+      .check([](const std::string& text) {
         return checkOneOf(text, {"float", "double"});
       })
-      ->type_name("float|double")
-      ->group("Scene");
+      .typeName("float|double")
+      .group("Scene");
   const auto sheet = [](const std::string& text) {
     return checkPair(text, kMostParticlesAlongASide, "columns x rows, such as 40x30");
   };
   command
-      .add_option(
-          "--sheet", options.sheet,
-          "The same cloth on another grid of columns x rows; its size, mass and drag stay the same [the scene's]")
-      ->check(sheet)
-      ->type_name("CxR")
-      ->group("Scene");
+      .option("--sheet", options.sheet,
+              "The same cloth on another grid of columns x rows; its size, mass and drag stay the same [the scene's]")
+      .check(sheet)
+      .typeName("CxR")
+      .group("Scene");
 }
 
 Scene chosenScene(const SceneOptions& options) { return overridden(loadScene(options.scene, methodNames()), options); }
