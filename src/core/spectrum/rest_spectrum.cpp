@@ -122,8 +122,8 @@ double RestSpectrum::mostStiffnessPerDamping() const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity(), kTiny = 1e-9;
   if (C.norm() == 0) return kInfinity;
   C.diagonal().array() += kTiny * C.norm();  // motions that neither strain nor damp, rigid ones above all, get 0
-  // The u.Ku / u.Cu are the eigenvalues of B^T K B, where B B^T is the inverse of C. Eigen's own solver for two
-  // matrices, and its products by blocks, would take three seconds more to compile.
+  // The ratios u.Ku / u.Cu are the eigenvalues of B^T K B, where B B^T is the inverse of C. Eigen has a class for pairs
+  // of matrices too, but it would take seconds more to compile.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> damped(C);
   const Eigen::MatrixXd B = damped.eigenvectors() * damped.eigenvalues().cwiseSqrt().cwiseInverse().asDiagonal();
   const Eigen::MatrixXd KB = K.lazyProduct(B), reduced = B.transpose().lazyProduct(KB);
