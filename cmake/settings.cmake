@@ -23,8 +23,8 @@ if(TYG_SANITIZE)
   add_link_options(-fsanitize=${TYG_SANITIZE})
 endif()
 
-# Standard headers are most of what there is to compile in a file, so they are compiled once: for the rooms that compute,
-# for those that show something, and for the commands. Files still include what they use: it must build with
+# Standard headers are most of what there is to compile in a file, so they are compiled once: for the rooms that compute
+# and for those that show something. Files still include what they use: it must build with
 # CMAKE_DISABLE_PRECOMPILE_HEADERS=ON as well.
 set(tyg_headers <algorithm> <array> <cmath> <cstdint> <functional> <limits> <memory> <optional> <span> <stdexcept> <string>
   <string_view> <utility> <vector> <fmt/core.h>)
@@ -33,8 +33,6 @@ function(tyg_precompile room)
     target_precompile_headers(tyg_util PRIVATE ${tyg_headers})
   elseif(room STREQUAL view)
     target_precompile_headers(tyg_view PRIVATE ${tyg_headers} <filesystem> <glm/glm.hpp>)
-  elseif(room STREQUAL app)
-    target_precompile_headers(tyg_app PRIVATE ${tyg_headers} <filesystem> <glm/glm.hpp>)
   elseif(room MATCHES "core|integrators|study")
     target_precompile_headers(tyg_${room} REUSE_FROM tyg_util)
   else()
@@ -42,7 +40,7 @@ function(tyg_precompile room)
   endif()
 endfunction()
 
-# A room of the house: every source file in src/ROOM and its folders, plus generated ones.
+# A room: every source file in src/ROOM and its folders, plus generated ones.
 function(tyg_library room)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${room}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "row_kernel_level\\.cpp$")

@@ -86,7 +86,7 @@ std::string checkScale(const std::string& text) {
 }  // namespace
 
 void addViewCommand(CLI::App& app, Action& action) {
-  Command command(app, "view", "The window: space starts and pauses, a left click pokes, H shows the keys");
+  Command command(app, "view", "The window: space starts and pauses, a left click pushes the cloth, H shows the keys");
   auto options = std::make_shared<ViewOptions>();
   addSceneOptions(command, options->scene, false);
   const auto size = [](const std::string& text) {
