@@ -28,6 +28,9 @@ struct Method {
   /// The same for all modes of a scene's sheet at rest at once, for methods that adapt to the whole spectrum; else
   /// null.
   double (*stableStepOfScene)(const Scene& scene) = nullptr;
+  /// Of a method that has no limit: why, as the end of the sentence "it has no limit: ...". Empty for the others.
+  std::string_view whyNoLimit{};
+  bool advisable = true;  ///< may advice and diets recommend it?
   std::unique_ptr<Integrator<float>> (*makeFloat)(const Scene& scene, const Sheet& sheet);
   std::unique_ptr<Integrator<double>> (*makeDouble)(const Scene& scene, const Sheet& sheet);
 

@@ -125,8 +125,6 @@ TYG_INLINE Vec<T> springForce(const RowTask<T>& task, const SpringLaw<T>& law, c
   }
 }
 
-constexpr std::ptrdiff_t kBlock = 128;  ///< particles whose forces stay in the first-level cache until they are used
-
 /// Where a row's forces are staged, as pointers to planes; all within the task's scratch memory.
 template <class T>
 struct Staged {
@@ -240,6 +238,9 @@ TYG_INLINE void addPushes(const RowTask<T>& task, std::ptrdiff_t i, Vec<T>& f) {
     f.x[lane] += push->force[0], f.y[lane] += push->force[1], f.z[lane] += push->force[2];
   }
 }
+
+static_assert(AllTerms::count(TermPlace::Always) == 1,
+              "finishForces() adds the weight of gravity and no other term of TermPlace::Always: add the new term there");
 
 /// Adds gravity and the particles' terms to the springs' forces, exactly 0 at pins and padding. Then the update.
 template <class T, Update update, class ParticleTerms, bool pushed>

@@ -32,15 +32,15 @@ std::span<const std::string_view> parameterKeys() {
   return kKeys;
 }
 
-/// A parameter that is a single number has no columns y and z.
+/// A parameter that is a single number has no columns value_y and value_z.
 void visitColumns(WorldEvent& change, EventColumns& columns) {
   columns.word("parameter", change.parameter, parameterKeys());
   const Parameter* parameter = findParameter(change.parameter);
   const Allowed allowed = parameter != nullptr ? parameter->allowed : Allowed::Any;
-  columns.number("x", change.value.x, allowed);
+  columns.number("value", change.value.x, allowed);
   if (parameter != nullptr && parameter->count == 1) return;
-  columns.number("y", change.value.y, allowed);
-  columns.number("z", change.value.z, allowed);
+  columns.number("value_y", change.value.y, allowed);
+  columns.number("value_z", change.value.z, allowed);
 }
 
 template <class E>
