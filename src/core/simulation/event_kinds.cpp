@@ -44,13 +44,15 @@ void visitColumns(WorldEvent& change, EventColumns& columns) {
 }
 
 template <class E>
-constexpr EventKind kind(std::string_view name) {
-  return {name, [] { return EventAction(E{}); },
+constexpr EventKind kind(std::string_view name, std::string_view note = "") {
+  return {name, note, [] { return EventAction(E{}); },
           [](EventAction& action, EventColumns& columns) { visitColumns(std::get<E>(action), columns); }};
 }
 
 constexpr std::array kKinds{kind<PushEvent>("push"), kind<MethodEvent>("method"), kind<StepEvent>("step"),
-                            kind<WorldEvent>("world")};
+                            kind<WorldEvent>("world",
+                                           "a parameter that is a single number has value alone; the unit is that of "
+                                           "the parameter")};
 static_assert(kKinds.size() == std::variant_size_v<EventAction>);
 
 class Names final : public EventColumns {
