@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "core/forces/state.h"
 #include "core/forces/stored_energy.h"

@@ -51,8 +51,8 @@ constexpr EventKind kind(std::string_view name, std::string_view note = "") {
 
 constexpr std::array kKinds{kind<PushEvent>("push"), kind<MethodEvent>("method"), kind<StepEvent>("step"),
                             kind<WorldEvent>("world",
-                                           "a parameter that is a single number has value alone; the unit is that of "
-                                           "the parameter")};
+                                             "a parameter that is a single number has value alone; the unit is that of "
+                                             "the parameter")};
 static_assert(kKinds.size() == std::variant_size_v<EventAction>);
 
 class Names final : public EventColumns {
