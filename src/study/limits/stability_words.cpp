@@ -1,5 +1,4 @@
-// What people read about a step limit: what the motion that fails first looks like, and what
-// sets the limit.
+// What people read about a step limit: what the motion that fails first looks like, and what sets the limit.
 #include <fmt/core.h>
 
 #include <cmath>
