@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The house rules that a machine can hold: every source file opens with a comment that says something, none is longer
-than 450 lines, nothing is left to be done, the project's words are used, and no run has left its files beside the
+than 400 lines, nothing is left to be done, the project's words are used, and no run has left its files beside the
 sources. Proves first that it can fail.
     tests/house_rules_test.py SOURCE_DIR
 """
@@ -11,12 +11,12 @@ from pathlib import Path
 
 FOLDERS = ["include", "src", "shaders", "tests", "examples"]
 ENDINGS = {".h", ".cpp", ".vert", ".frag", ".geom", ".glsl"}
-LONGEST = 450
+LONGEST = 400
 UNFINISHED = re.compile(r"(?<![A-Za-z0-9])(TODO|FIXME|XXX|HACK)(?![A-Za-z0-9])")
 # A particle is a particle everywhere; `vertex` belongs to OpenGL.
 FOREIGN = re.compile(r"\b(nodes?|solvers?)\b", re.IGNORECASE)
 WRITTEN_BY_RUNS = {".csv", ".png", ".toml", ".mp4", ".svg", ".gp"}
-SAYS_NOTHING = re.compile(r"See \S+\.h\.?")
+SAYS_NOTHING = re.compile(r"([^;.]*; )?[Ss]ee \S+\.h\.?")
 
 
 def opening_comment(lines):
@@ -79,16 +79,16 @@ def prove_that_it_can_fail():
         must_find("does not open", "int x;\n")
         must_find("does not open", "\n\n// Too late.\nint x;\n")
         must_find("says nothing", "// See a.h.\n#include <a.h>\n")
-        must_find("more than", "// What for.\n" + 450 * "int x;\n")
+        must_find("says nothing", "// The colours; see a.h.\n#include <a.h>\n")
+        must_find("more than", "// What for.\n" + 400 * "int x;\n")
         must_find("unfinished", "// What for.\nint x;  // TO" + "DO later\n")
         must_find("not a word", "// Every node of the sheet.\n")
         must_find("not a word", "// What for.\nint x;  // The Solver.\n")
         for right in [
             "// Every particle of the sheet.\nint x;\n",
-            "// How it is done; see a.h.\nint x;\n",
             "// See a.h. Greedy: a word goes onto the line as long as it fits.\nint x;\n",
             "// What for.\nint nodes;\nauto x = \"// a node\";\n",
-            "// What for.\n" + 449 * "int x;\n",
+            "// What for.\n" + 399 * "int x;\n",
         ]:
             if found_in(right):
                 sys.exit(f"wrongly refused: {found_in(right)}")

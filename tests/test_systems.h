@@ -12,12 +12,24 @@
 
 #include "core/forces/forces.h"
 #include "core/simulation/integrator.h"
+#include "tyg/input_error.h"
 #include "tyg/method.h"
 #include "tyg/scene.h"
 #include "tyg/sheet.h"
 #include "util/workers.h"
 
 namespace tyg::test {
+
+/// What is said where `act` is refused; empty where it is not.
+template <class Act>
+std::string messageOf(const Act& act) {
+  try {
+    act();
+  } catch (const InputError& refusal) {
+    return refusal.what();
+  }
+  return "";
+}
 
 inline Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }

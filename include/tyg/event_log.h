@@ -36,7 +36,7 @@ struct StepEvent {
 /// One parameter of the springs, the world or the run has another value from now on.
 struct WorldEvent {
   std::string parameter;  ///< `springs.shear.ks`, `world.gravity`, `run.tolerance` and so on: table and key of a scene
-  Vec3 value{};           ///< in the unit that a scene file has for it; of a single number, x
+  Vec3 value{};           ///< in the unit that a scene file has for it; a single number is x, with y and z 0
   bool operator==(const WorldEvent&) const = default;
 };
 
@@ -72,11 +72,13 @@ struct EventLog {
 ///     (the scene's own text, each line after `## `)
 ///     # push: tick,push,particle,fx_N,fy_N,fz_N,ticks
 ///     (one such line for each kind of event: it names the columns of the lines of that kind)
+///     # world: tick,world,parameter,value,value_y,value_z
+///     (a parameter that is a single number has `value` alone; the unit is that of the parameter)
 ///     tick,event,...
 ///     12,push,210,0,0,2.5,50
 ///     40,world,world.gravity,0,-1.62,0
 ///
-/// Spreadsheets read it as CSV. Whoever keeps the lines of one kind only has a table with one meaning a column.
+/// Spreadsheets read it as CSV. The lines of one kind of event are a table in which every column has one meaning.
 std::string formatEventLog(const EventLog& log);
 
 /// Reads a log of version 2, or of version 1, whose events all had the columns

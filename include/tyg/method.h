@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <string_view>
 
 #include "tyg/scene.h"
@@ -12,6 +13,16 @@ namespace tyg {
 
 template <class T>
 class Integrator;
+
+/// What a study found out about the step limit of a method on one scene.
+struct LimitFinding {
+  bool damped = false;     ///< did the scene keep its damping?
+  bool byDamping = false;  ///< is it damping that sets the limit, and not stiffness?
+  double predicted = 0;    ///< s; 0 where no step is stable; NaN where no mode of the sheet sets a limit
+  double w2 = 0;           ///< stiffness of the mode that fails first, 1/s2
+  double seconds = 0;      ///< length of the scene's own motion, s
+  double survived = 0;     ///< largest step that this motion survived, s; NaN where that was not measured
+};
 
 /// An entry of the table of methods. Everything that lists methods (command line, tests, charts) loops over that table.
 struct Method {
@@ -28,6 +39,12 @@ struct Method {
   /// The same for all modes of a scene's sheet at rest at once, for methods that adapt to the whole spectrum; else
   /// null.
   double (*stableStepOfScene)(const Scene& scene) = nullptr;
+  /// Of a method that has no limit: why, as the end of the sentence "it has no limit: ...". Empty for the others.
+  std::string_view whyNoLimit{};
+  /// What people have to know about a limit besides its numbers, a sentence that begins with the method's name; empty
+  /// where there is nothing to say. Null where there never is.
+  std::string (*noteOnLimit)(const LimitFinding& finding) = nullptr;
+  bool advisable = true;  ///< may advice and diets recommend it?
   std::unique_ptr<Integrator<float>> (*makeFloat)(const Scene& scene, const Sheet& sheet);
   std::unique_ptr<Integrator<double>> (*makeDouble)(const Scene& scene, const Sheet& sheet);
 

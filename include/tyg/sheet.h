@@ -2,7 +2,6 @@
 // them. Third of the headers to read. Must not know: the moving state, forces, methods.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "tyg/scene.h"

@@ -184,6 +184,9 @@ Method backwardEulerMethod() {
           .scheme = "Baraff-Witkin: one linearised solve a step",
           .order = 1,
           .evaluationsPerStep = 1,
+          .whyNoLimit =
+              "each step solves for the new velocity with a stiffness that is never negative, not even "
+              "that of a compressed spring, so that every mode shrinks at every step",
           .makeFloat = make<BackwardEuler, float>,
           .makeDouble = make<BackwardEuler, double>};
 }

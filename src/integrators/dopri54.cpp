@@ -33,6 +33,12 @@ double stableStep(double w2, double d) {
   return rungeKuttaLimit(kGrowth, w2, d);
 }
 
+std::string noteOnLimit(const LimitFinding& finding) {
+  if (finding.damped || !(finding.predicted > 0)) return "";
+  return "dopri54 without damping: just past its limit the fastest mode grows by less than a ten-thousandth a step; "
+         "what holds above the prediction is what the run was too short to show.";
+}
+
 }  // namespace
 
 Method dopri54Method() {
@@ -44,6 +50,7 @@ Method dopri54Method() {
           .evaluationsAtStart = 1,
           .adaptive = true,
           .stableStep = stableStep,
+          .noteOnLimit = noteOnLimit,
           .makeFloat = make<Dopri54, float>,
           .makeDouble = make<Dopri54, double>};
 }

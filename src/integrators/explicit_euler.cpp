@@ -1,4 +1,8 @@
 // Explicit Euler (Euler 1768): position and velocity both move with what they were at the start of the step.
+#include <fmt/core.h>
+
+#include <cmath>
+
 #include "core/forces/field_ops.h"
 #include "core/spectrum/lattice.h"
 #include "integrators/make.h"
@@ -37,6 +41,29 @@ double stableStep(double w2, double d) {
   return mu.real() == 0 ? kEveryStep : 2 / -mu.real();
 }
 
+/// What the row without damping means, where no step is stable.
+std::string noteWithoutDamping(const LimitFinding& finding) {
+  constexpr double kGrowth = 1000;
+  std::string note = fmt::format(
+      "explicit-euler without damping: no step is stable. Each multiplies the fastest mode by sqrt(1 + h^2 w^2), "
+      "w = {:.4g} /s, so that over T seconds a growth by G is survived only below h = 2 ln(G) / (w^2 T): {:.3g} ms for "
+      "G = 1000 in {:.3g} s.",
+      std::sqrt(finding.w2), 1e3 * survivedStep(finding.w2, finding.seconds, kGrowth), finding.seconds);
+  if (finding.survived > 0 && std::isfinite(finding.survived)) {
+    const double decades = finding.survived * finding.w2 * finding.seconds / 2 / std::log(10.0);
+    note += fmt::format(" The {:.3g} ms that held had it grow by 10^{:.1f}, from rounding and buckling.",
+                        1e3 * finding.survived, decades);
+  }
+  return note;
+}
+
+std::string noteOnLimit(const LimitFinding& finding) {
+  if (finding.predicted == 0 && !finding.damped) return noteWithoutDamping(finding);
+  if (!(finding.predicted > 0) || finding.byDamping) return "";
+  return "explicit-euler with damping: past its limit the least damped mode grows, but slowly; what holds above the "
+         "prediction is what the run was too short to show.";
+}
+
 }  // namespace
 
 Method explicitEulerMethod() {
@@ -46,6 +73,7 @@ Method explicitEulerMethod() {
           .order = 1,
           .evaluationsPerStep = 1,
           .stableStep = stableStep,
+          .noteOnLimit = noteOnLimit,
           .makeFloat = make<ExplicitEuler, float>,
           .makeDouble = make<ExplicitEuler, double>};
 }

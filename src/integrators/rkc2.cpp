@@ -3,6 +3,8 @@
 //   Y1 = Y0 + m1 h F0;  Yj = (1 - mu - nu) Y0 + mu Y(j-1) + nu Y(j-2) + mt h F(j-1) + gt h F0;  y' = Ys
 // The stages are the fewest for which every wave of the sheet stays bounded; a step at which none do is past the
 // method's limit, and gets two.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -134,6 +136,21 @@ double stableStepOfScene(const Scene& scene) {
   return inside;
 }
 
+/// Without damping the fewest stages are two, of which none is stable: |P_2(i y)|^2 = 1 + y^4 / 4.
+std::string noteOnLimit(const LimitFinding& finding) {
+  if (finding.predicted > 0) {
+    return fmt::format(
+        "rkc2 takes as many stages as its step needs to hold every wave, {} at most; past its limit none do.",
+        kMostChebyshevStages);
+  }
+  if (finding.predicted != 0) return "";
+  return fmt::format(
+      "rkc2 without damping: no step is stable, whatever the stages. Two, the fewest, multiply the fastest mode by "
+      "1 + (h w)^4 / 8 each step, w = {:.4g} /s: a growth by 1000 in {:.3g} s is survived only below {:.3g} ms.",
+      std::sqrt(finding.w2), finding.seconds,
+      1e3 * std::cbrt(8 * std::log(1000.0) / (finding.w2 * finding.w2 * finding.seconds)));
+}
+
 }  // namespace
 
 Method rkc2Method() {
@@ -143,6 +160,7 @@ Method rkc2Method() {
           .order = 2,
           .evaluationsPerStep = -1,
           .stableStepOfScene = stableStepOfScene,
+          .noteOnLimit = noteOnLimit,
           .makeFloat = make<Rkc2, float>,
           .makeDouble = make<Rkc2, double>};
 }

@@ -44,4 +44,6 @@ double rungeKuttaLimit(std::span<const double> growth, double w2, double d) {
   return inside / size;
 }
 
+double survivedStep(double w2, double seconds, double growth) { return 2 * std::log(growth) / (w2 * seconds); }
+
 }  // namespace tyg

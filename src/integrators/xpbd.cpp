@@ -103,6 +103,9 @@ Method xpbdMethod() {
           .scheme = "compliant constraints, small steps, one sweep",
           .order = 1,
           .evaluationsPerStep = 0,
+          .whyNoLimit =
+              "each step moves every spring towards its rest length and never past it; large steps stretch "
+              "the cloth more, but do not make it unstable",
           .makeFloat = make<Xpbd, float>,
           .makeDouble = make<Xpbd, double>};
 }

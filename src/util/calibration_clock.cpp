@@ -1,4 +1,4 @@
-// POSIX clocks.
+// For one thread the time that the processor spent on it, so that other programs do not count; for more, wall time.
 #include "util/calibration_clock.h"
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// Ctrl-C as a flag.
+// The first Ctrl-C only sets a flag, which long work looks at; the second one ends the program at once.
 #include "util/interrupt.h"
 
 #include <csignal>

@@ -91,7 +91,7 @@ std::vector<Outcome> exhaustive(const Scene& scene, const Reference& reference, 
                                 const UnitCost& cost) {
   std::vector<Outcome> outcomes;
   for (const Method& method : methods()) {
-    if (!advisable(method) || !takes(method, scene)) continue;
+    if (!method.advisable || !takes(method, scene)) continue;
     for (const Precision precision : {Precision::Double, Precision::Float}) {
       Scene setting = scene;
       setting.integrator = method.name, setting.precision = precision;

@@ -16,7 +16,7 @@ namespace tyg::scaling {
 namespace {
 
 constexpr double kStep = 1e-4;  // s, far from every limit
-constexpr int kSteps = 64;      // of one turn: as many as between two looks at the energies, which are included
+constexpr int kSteps = 64;      // of one turn: as many as between two energy checks, which are included
 constexpr std::array kPrecisions{Precision::Float, Precision::Double};
 
 Scene curtain(int count, Precision precision) {

@@ -49,7 +49,7 @@ constexpr Variant kVariants[] = {
     {"ledger", [](Scene&) {}, true},
 };
 
-/// The method without a simulation around it: forces and steps, and no look at the energies.
+/// The method without a simulation around it: forces and steps, and no energy checks.
 template <class T>
 struct Bare {
   explicit Bare(const Scene& scene)

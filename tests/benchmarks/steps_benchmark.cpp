@@ -16,7 +16,7 @@ namespace tyg {
 namespace {
 
 constexpr double kStep = 1e-4;      // s, far from every limit
-constexpr int kStepsPerRound = 64;  // as a simulation takes them between two looks at the energy
+constexpr int kStepsPerRound = 64;  // as a simulation takes them between two energy checks
 
 /// The curtain on count x count particles of the same mass and spacing.
 Scene curtain(int count, Precision precision) {

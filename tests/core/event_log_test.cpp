@@ -83,7 +83,8 @@ TEST(EventLog, LooksAsPeopleExpect) {
             "# version = 2\n# scene = scenes/my curtain.toml\n# columns = 20\n# rows = 30\n# integrator = rk4\n"
             "# dt = 0.002\n# precision = float\n# ticks = 1000000000000\n# hash = 00ff12ab34cd56ef\n"
             "# push: tick,push,particle,fx_N,fy_N,fz_N,ticks\n# method: tick,method,method\n# step: tick,step,dt_s\n"
-            "# world: tick,world,parameter,x,y,z\n"
+            "# world: tick,world,parameter,value,value_y,value_z\n"
+            "# world: a parameter that is a single number has value alone; the unit is that of the parameter\n"
             "tick,event,...\n"
             "0,push,599,0,-2,0.1,50\n7,method,leapfrog\n7,step,0.0003333333333333333\n"
             "8,world,world.gravity,0,-1.62,0.5\n8,world,springs.shear.ks,1200\n");
@@ -114,8 +115,8 @@ TEST(EventLog, MistakesInTheHeadAreRefusedWithTheirLine) {
           {9, "# hash = 0x12", "my.log:9: hash: found '0x12', allowed nothing or up to 16 hexadecimal"},
           {9, "# hash = 123456789abcdef01", "my.log:9: hash: found '123456789abcdef01', allowed nothing or up to 16"},
           {10, "# pull: tick,pull", "my.log:10: line: found '# pull: tick,pull', allowed '# key = value'"},
-          {14, "tick,event",
-           "my.log:14: line: found 'tick,event', allowed '# key = value', or the line tick,event,..."},
+          {15, "tick,event",
+           "my.log:15: line: found 'tick,event', allowed '# key = value', or the line tick,event,..."},
           {5, "# hash = 1", "my.log:9: hash: found 'a second time', allowed each key once"},
       });
 }
@@ -124,28 +125,28 @@ TEST(EventLog, MistakesInTheEventsAreRefusedWithTheirLine) {
   expectRefusals(
       formatEventLog(fullLog()),
       {
-          {15, "", "my.log:15: tick: found '', allowed a whole number from 0"},
-          {15, "0", "my.log:15: event: found '', allowed push, method, step, world"},
-          {15, "0,poke,1,0,0,1,50", "my.log:15: event: found 'poke', allowed push, method, step, world"},
-          {15, "-1,push,1,0,0,1,50", "my.log:15: tick: found '-1', allowed a whole number from 0"},
-          {15, "0.5,push,1,0,0,1,50", "my.log:15: tick: found '0.5', allowed a whole number"},
-          {15, "0,push,600,0,0,1,50", "my.log:15: particle: found '600', allowed a whole number from 0 to 599"},
-          {15, "0,push,1,0,nan,1,50", "my.log:15: fy_N: found 'nan', allowed a finite number"},
-          {15, "0,push,1,0,0,,50", "my.log:15: fz_N: found '', allowed a finite number"},
-          {15, "0,push,1,0,0,1,0", "my.log:15: ticks: found '0', allowed a whole number from 1"},
-          {15, "0,push,1,0,0,1", "my.log:15: ticks: found '', allowed a whole number from 1"},
-          {15, "0,push,1,0,0,1,50,", "my.log:15: line: found '0,push,1,0,0,1,50,', allowed the columns tick,push,part"},
-          {15, "0,push,1,0,0,1,50,rk4",
-           "my.log:15: line: found '0,push,1,0,0,1,50,rk4', allowed the columns tick,push"},
-          {16, "7,method,", "my.log:16: method: found '', allowed a name"},
-          {17, "7,step,-0.1", "my.log:17: dt_s: found '-0.1', allowed a finite number above 0"},
-          {18, "8,world,gravity,1,2,3", "my.log:18: parameter: found 'gravity', allowed springs.structural.ks, "},
-          {18, "8,world,world.drag,-1", "my.log:18: x: found '-1', allowed a finite number from 0"},
-          {18, "8,world,world.drag,1,2",
-           "my.log:18: line: found '8,world,world.drag,1,2', allowed the columns tick,wor"},
-          {18, "8,world,run.tolerance,0", "my.log:18: x: found '0', allowed a finite number above 0"},
-          {18, "8,world,world.gravity,1,2", "my.log:18: z: found '', allowed a finite number"},
-          {19, "7,step,0.1", "my.log:19: tick: found '7', allowed a whole number from 8"},
+          {16, "", "my.log:16: tick: found '', allowed a whole number from 0"},
+          {16, "0", "my.log:16: event: found '', allowed push, method, step, world"},
+          {16, "0,poke,1,0,0,1,50", "my.log:16: event: found 'poke', allowed push, method, step, world"},
+          {16, "-1,push,1,0,0,1,50", "my.log:16: tick: found '-1', allowed a whole number from 0"},
+          {16, "0.5,push,1,0,0,1,50", "my.log:16: tick: found '0.5', allowed a whole number"},
+          {16, "0,push,600,0,0,1,50", "my.log:16: particle: found '600', allowed a whole number from 0 to 599"},
+          {16, "0,push,1,0,nan,1,50", "my.log:16: fy_N: found 'nan', allowed a finite number"},
+          {16, "0,push,1,0,0,,50", "my.log:16: fz_N: found '', allowed a finite number"},
+          {16, "0,push,1,0,0,1,0", "my.log:16: ticks: found '0', allowed a whole number from 1"},
+          {16, "0,push,1,0,0,1", "my.log:16: ticks: found '', allowed a whole number from 1"},
+          {16, "0,push,1,0,0,1,50,", "my.log:16: line: found '0,push,1,0,0,1,50,', allowed the columns tick,push,part"},
+          {16, "0,push,1,0,0,1,50,rk4",
+           "my.log:16: line: found '0,push,1,0,0,1,50,rk4', allowed the columns tick,push"},
+          {17, "7,method,", "my.log:17: method: found '', allowed a name"},
+          {18, "7,step,-0.1", "my.log:18: dt_s: found '-0.1', allowed a finite number above 0"},
+          {19, "8,world,gravity,1,2,3", "my.log:19: parameter: found 'gravity', allowed springs.structural.ks, "},
+          {19, "8,world,world.drag,-1", "my.log:19: value: found '-1', allowed a finite number from 0"},
+          {19, "8,world,world.drag,1,2",
+           "my.log:19: line: found '8,world,world.drag,1,2', allowed the columns tick,wor"},
+          {19, "8,world,run.tolerance,0", "my.log:19: value: found '0', allowed a finite number above 0"},
+          {19, "8,world,world.gravity,1,2", "my.log:19: value_z: found '', allowed a finite number"},
+          {20, "7,step,0.1", "my.log:20: tick: found '7', allowed a whole number from 8"},
       });
 }
 
@@ -156,7 +157,7 @@ TEST(EventLog, WithoutARequiredKeyOrAnyTextIsRefused) {
     const std::size_t from = text.find("# " + std::string(key) + " = ");
     text.erase(from, text.find('\n', from) - from + 1);
     const std::string refusal = refusalOf(text);
-    EXPECT_EQ(refusal.find("my.log:13: " + std::string(key) + ": found ''"), 0U) << refusal;
+    EXPECT_EQ(refusal.find("my.log:14: " + std::string(key) + ": found ''"), 0U) << refusal;
   }
   EXPECT_NE(refusalOf(""), kNothingRefused);
   EXPECT_NE(refusalOf("# version = 2\n# scene = a\n"), kNothingRefused);

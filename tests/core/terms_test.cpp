@@ -35,11 +35,10 @@ TEST(Terms, AreInASceneUntilTheyAreLeftOut) {
   }
 }
 
-TEST(Terms, ThatCannotAddEnergyStoreOrTakeAllOfTheirPower) {
+TEST(Terms, StoreOrTakeAllOfTheirPower) {
   constexpr double kStep = 1e-6;       // s: rounding of E / step and step^2 are then both far below
   constexpr double kTolerance = 1e-7;  // of the largest power here
   for (const ForceTerm* term : forceTerms()) {
-    if (term->canAddEnergy) continue;
     Bench<double> bench(sceneWith(*term));
     Numbers numbers(23);
     shake(bench, 0.3, numbers);
@@ -102,6 +101,15 @@ TEST(LiveParameters, HaveAKeyEachAndKeepTheirValues) {
     EXPECT_EQ(parameter.get(scene), value) << parameter.key;
   }
   EXPECT_EQ(findParameter("springs.shear"), nullptr);
+}
+
+TEST(LiveParameters, OfForceTermsHaveARangeAndDigitsForPanels) {
+  for (const ForceTerm* term : forceTerms()) {
+    for (const Parameter& parameter : term->parameters) {
+      EXPECT_GT(parameter.mostByHand, 0) << parameter.key;
+      EXPECT_GT(parameter.digits, 0) << parameter.key;
+    }
+  }
 }
 
 TEST(LiveParameters, SetInPlaceGiveTheForcesOfANewScene) {

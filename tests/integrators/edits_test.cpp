@@ -182,7 +182,7 @@ TEST(Edits, ATickThatTheObserverStopsHasNotBegun) {
 
 TEST(Edits, ATickThatAPushCutsIsDoneWholeWhenTheObserverStops) {
   Scene scene = tickingSheet();
-  scene.pushes = {{{"middle"}, {0, 0, 1}, 63.5 * scene.dt, 0.1}};  // the look after 64 steps lies inside a tick
+  scene.pushes = {{{"middle"}, {0, 0, 1}, 63.5 * scene.dt, 0.1}};  // the energy check after 64 steps lies inside a tick
   Simulation simulation(scene, findMethod("leapfrog")), never(scene, findMethod("leapfrog"));
   simulation.observe([] { return false; });
   tick(simulation, 100), tick(never, 100);
@@ -224,6 +224,12 @@ TEST(Edits, APushOnNobodyOrForNoTimeIsRefused) {
   EXPECT_THROW(simulation.push(0, kPush, 0), InputError);
   EXPECT_THROW(simulation.useStep(0), InputError);
   EXPECT_THROW(simulation.useStep(-1), InputError);
+}
+
+TEST(Edits, AWrongStepIsRefusedWithANumberThatPeopleCanRead) {
+  Simulation simulation(tickingSheet(), findMethod("rk4"));
+  EXPECT_EQ(messageOf([&] { simulation.useStep(-1e-9); }), "dt: found -1e-09, allowed: above 0");
+  EXPECT_EQ(messageOf([&] { simulation.useStep(-1e300); }), "dt: found -1e+300, allowed: above 0");
 }
 
 /// Ticks in calls of 1, 2, 3, ... together, with pushes, a method and a step by hand in between.

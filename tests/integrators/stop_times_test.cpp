@@ -34,6 +34,14 @@ TEST(StopTimes, OfAWholeNumberOfStepsTakeExactlyThatNumber) {
   }
 }
 
+TEST(StopTimes, ThatCouldNotBeReachedAreRefusedWithANumberThatPeopleCanRead) {
+  Scene scene = emptyWorld(1, 1);
+  scene.dt = 1e-300;
+  Simulation simulation(scene, findMethod("rk4"));
+  EXPECT_EQ(messageOf([&] { simulation.advanceTo(1); }),
+            "dt: found 1e+300 steps to the next stop, allowed: up to 1e15");
+}
+
 TEST(StopTimes, NotAMultipleOfDtAreReachedInEqualSmallerSteps) {
   Scene scene = softSheet(Damping::Relative);
   scene.dt = 0.3;

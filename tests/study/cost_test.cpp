@@ -17,7 +17,7 @@ Scene sheetFor(const std::string& method) {
   return scene;
 }
 
-/// A clock that is looked at once at the start, once a look of 64 steps, and once at the end of a burst.
+/// A clock that is read once at the start, once at each energy check, every 64 steps, and once at the end of a burst.
 CostMeter::Clock ticking(double tick) {
   return [now = 0.0, tick](int) mutable { return now += tick; };
 }
@@ -51,7 +51,7 @@ TEST(CostMeter, MethodsWithoutForceEvaluationsArePricedByTheStep) {
 TEST(CostMeter, ADisturbedBurstDoesNotCount) {
   int calls = 0;
   double now = 0;
-  // Every seventh look finds that another program has had the machine.
+  // At every seventh reading another program has had the machine.
   CostMeter noisy(sheetFor("rk4"), 1, [&](int) { return now += ++calls % 7 == 0 ? 50e-3 : 1e-3; });
   CostMeter quiet(sheetFor("rk4"), 1, ticking(1e-3));
   const Scene scene = sheetFor("leapfrog");

@@ -81,7 +81,7 @@ TEST(SettingSearch, MakesFewRunsWhateverIsAsked) {
   }
 }
 
-/// What one search may cost at most: its allowance, passed by one run of the dearest kind.
+/// What one search may cost at most: its allowance, exceeded by one run of the kind that costs most.
 double mostSpent(const SearchPlan& plan, const SettingSearch& search) {
   constexpr double kSlack = 1.1;  // runs are cut short within 64 steps
   return plan.allSeconds + kSlack * search.mostSeconds();

@@ -1,4 +1,5 @@
-// Checking folders, running gnuplot.
+// The folder is made and every file is tried before any work begins. Pictures appear whole, or not at all where gnuplot
+// fails or is interrupted.
 #include "app/output/drawn_files.h"
 
 #include <iostream>

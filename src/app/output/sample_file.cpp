@@ -1,4 +1,4 @@
-// Samples as CSV.
+// Rows are written as they come into a temporary file, which gets its name when the run is complete.
 #include "app/output/sample_file.h"
 
 #include <string>

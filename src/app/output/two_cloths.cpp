@@ -1,4 +1,4 @@
-// Drawing two sheets into one framebuffer.
+// Both runs are advanced to the same time, and both sheets are drawn into one framebuffer by the same camera.
 #include "app/output/two_cloths.h"
 
 #include <stdexcept>

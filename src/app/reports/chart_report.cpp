@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "study/work/frontier.h"
+#include "util/csv.h"
 #include "util/text.h"
 
 namespace tyg {
@@ -92,10 +93,9 @@ std::string sheetLines(const std::vector<SheetDistance>& sheets, double size) {
 }
 
 std::string sheetsCsv(const std::vector<SheetDistance>& sheets) {
-  std::string text = "columns,rows,rms_distance_m,max_distance_m\n";
+  std::string text = csvLine("columns", "rows", "rms_distance_m", "max_distance_m");
   for (const SheetDistance& sheet : sheets) {
-    text += fmt::format("{},{},{:.17g},{:.17g}\n", sheet.grid.columns, sheet.grid.rows, sheet.distance.rms,
-                        sheet.distance.largest);
+    text += csvLine(sheet.grid.columns, sheet.grid.rows, sheet.distance.rms, sheet.distance.largest);
   }
   return text;
 }

@@ -9,6 +9,7 @@
 #include "app/reports/json.h"
 #include "tyg/methods.h"
 #include "util/amounts.h"
+#include "util/csv.h"
 #include "util/text.h"
 
 namespace tyg {
@@ -140,14 +141,9 @@ Json listJson(const std::vector<Item>& items, const ToJson& toJson) {
 
 std::string rowCsv(const char* part, const DietRow& row) {
   const Scene& scene = row.scene;
-  std::string text =
-      fmt::format("{},{},{},{},{},{},{:.17g},{:.17g},{}", part, row.words, scene.columns, scene.rows, scene.integrator,
-                  nameOf(scene.precision), scene.dt, scene.tolerance, nameOf(row.status));
-  for (const double number :
-       {row.lost.rms, row.lost.largest, row.floor, row.horizon, row.maxStretch, row.sag, row.energy}) {
-    text += fmt::format(",{:.17g}", number);
-  }
-  return text + fmt::format(",{},{:.6g},{:.6g},{:d}\n", row.work, row.seconds, row.saved, row.within);
+  return csvLine(part, row.words, scene.columns, scene.rows, scene.integrator, nameOf(scene.precision), scene.dt,
+                 scene.tolerance, nameOf(row.status), row.lost.rms, row.lost.largest, row.floor, row.horizon,
+                 row.maxStretch, row.sag, row.energy, row.work, row.seconds, row.saved, int(row.within));
 }
 
 }  // namespace
@@ -189,16 +185,16 @@ std::string dietJson(const DietFindings& findings) {
 }
 
 std::string dietCsv(const DietFindings& findings) {
-  std::string csv =
-      "part,change,columns,rows,integrator,precision,dt,tolerance,status,rms_error_m,max_error_m,floor_m,horizon_s,"
-      "max_stretch,sag_m,energy_J,work,seconds,saved,within\n";
+  std::string csv = csvLine("part", "change", "columns", "rows", "integrator", "precision", "dt", "tolerance", "status",
+                            "rms_error_m", "max_error_m", "floor_m", "horizon_s", "max_stretch", "sag_m", "energy_J",
+                            "work", "seconds", "saved", "within");
   csv += rowCsv("written", findings.diet.written);
   for (const DietRow& row : findings.diet.alone) csv += rowCsv("alone", row);
   for (const DietRow& row : findings.diet.together) csv += rowCsv("together", row);
   for (const Need& need : findings.needs) {
-    csv += fmt::format("finer,{},,,,,,,{},{:.17g},{:.17g},,,{:.17g},,,,,,{:d}\n", need.words,
-                       std::isfinite(need.change.rms) ? "ok" : "unstable", need.change.rms, need.change.largest,
-                       need.finerStretch, !need.tooLean(findings.diet.within));
+    csv += csvLine("finer", need.words, "", "", "", "", "", "", std::isfinite(need.change.rms) ? "ok" : "unstable",
+                   need.change.rms, need.change.largest, "", "", need.finerStretch, "", "", "", "", "",
+                   int(!need.tooLean(findings.diet.within)));
   }
   return csv;
 }

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "core/forces/row_kernel.h"
 #include "core/forces/term.h"
@@ -35,7 +36,7 @@ unsigned termsOf(const Scene& scene, TermPlace place) {
   return terms;
 }
 
-/// Tells every term's numbers to who holds them.
+/// Fills in the numbers of every term.
 template <class T>
 void fill(AllTerms::Numbers<T>& numbers, const Scene& scene, const Sheet& sheet) {
   AllTerms::forEach([&]<class Term>() {

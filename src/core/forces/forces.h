@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "core/forces/state.h"
 #include "core/forces/stored_energy.h"
@@ -45,7 +44,7 @@ class Forces {
   /// Works out the power of this state for the ledger, where it is wanted, as an evaluation would.
   void measurePower(const VectorField<T>& position, const VectorField<T>& velocity);
 
-  /// 1 for a particle that moves, 0 for a pinned one; by place in a plane.
+  /// 1 for a particle that moves, 0 for a pinned one; the index is that of the planes of a field.
   [[nodiscard]] const T* freeMask() const;
   /// Newtons to metres per second squared.
   [[nodiscard]] double inverseMass() const { return inverseMass_; }
@@ -64,7 +63,6 @@ class Forces {
 
   /// With `on`, every evaluation also works out the power that damping takes from the cloth.
   void trackDissipation(bool on) { trackDissipation_ = on; }
-  [[nodiscard]] bool tracksDissipation() const { return trackDissipation_; }
   /// The last evaluation counts for `seconds` in the integral of the dissipated power. Methods call it with their own
   /// quadrature weights, so that the ledger closes to the method's own order.
   void dissipate(double seconds) { addDissipated(seconds * power()); }

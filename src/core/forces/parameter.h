@@ -28,7 +28,7 @@ struct Parameter {
   void (*set)(Scene& scene, const Vec3& value);
   Role role = Role::Other;
   bool isShareOfSheet = false;  ///< a particle's share of what the whole sheet has, as its mass is
-  double mostByHand = 0;        ///< the largest size that a panel lets a person set
+  double mostByHand = 0;        ///< the largest size that a panel lets a person set, > 0 for terms
   int digits = 0;               ///< that a panel shows
 };
 

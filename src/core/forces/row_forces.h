@@ -4,10 +4,11 @@
 // (shear), two to the right and two down (bend). `accumulateRow` computes them along the row, a vector of particles at
 // a time. What springs do to particles further right stays in registers and is shifted into place for the next vector;
 // what they do to the rows below is staged in a ring of rows. `finishForces` then adds gravity and the terms of single
-// particles to a block of forces and stores the sum or moves the particles with it: no spring owned further on looks
-// back at them, so that is safe in place. Terms of whole cells join the springs where these are gathered. Every number
-// is computed by the same operations in the same order at every vector width, so every width gives the same bits.
-// Included by row_kernel_level.cpp alone; everything here is private to one vector level.
+// particles to a block of forces and stores the sum or moves the particles with it. Springs that are computed later
+// neither act on these particles nor read where they are, so the particles may be moved in place. Terms of whole cells
+// join the springs where these are gathered. Every number is computed by the same operations in the same order at every
+// vector width, so every width gives the same bits. Included by row_kernel_level.cpp alone; everything here is private
+// to one vector level.
 #pragma once
 
 #include <cstring>
@@ -125,8 +126,6 @@ TYG_INLINE Vec<T> springForce(const RowTask<T>& task, const SpringLaw<T>& law, c
   }
 }
 
-constexpr std::ptrdiff_t kBlock = 128;  ///< particles whose forces stay in the first-level cache until they are used
-
 /// Where a row's forces are staged, as pointers to planes; all within the task's scratch memory.
 template <class T>
 struct Staged {
@@ -240,6 +239,10 @@ TYG_INLINE void addPushes(const RowTask<T>& task, std::ptrdiff_t i, Vec<T>& f) {
     f.x[lane] += push->force[0], f.y[lane] += push->force[1], f.z[lane] += push->force[2];
   }
 }
+
+static_assert(
+    AllTerms::count(TermPlace::Always) == 1,
+    "finishForces() adds the weight of gravity and no other term of TermPlace::Always: add the new term there");
 
 /// Adds gravity and the particles' terms to the springs' forces, exactly 0 at pins and padding. Then the update.
 template <class T, Update update, class ParticleTerms, bool pushed>

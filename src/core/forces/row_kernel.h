@@ -69,8 +69,11 @@ struct RowTask : AllTerms::Numbers<T> {
   FinishForces<T> finish = nullptr;
   const PushedParticle<T>*firstPush = nullptr, *endPush = nullptr;  ///< of the row: those that FinishForces adds
 };
-/// Numbers of scratch memory that a pass over the rows needs.
-constexpr std::size_t rowScratchSize(std::ptrdiff_t stride) { return static_cast<std::size_t>(15 * stride + 3 * 128); }
+constexpr std::ptrdiff_t kBlock = 128;  ///< particles whose forces stay in the first-level cache until they are used
+/// Numbers of scratch memory that a pass over the rows needs: planes x, y, z of five rows and of a block.
+constexpr std::size_t rowScratchSize(std::ptrdiff_t stride) {
+  return static_cast<std::size_t>(3 * (5 * stride + kBlock));
+}
 
 /// One row of a state, with what the terms know of it in double, whatever the precision of the state.
 template <class T>

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "tyg/sheet.h"
 #include "util/aligned.h"

@@ -17,7 +17,6 @@ struct ForceTerm {
   std::span<const Parameter> parameters;
   std::optional<Family> family{};  ///< of springs; else nothing
   bool mayBeLeftOut = true;        ///< is a leaner model of the same cloth thinkable without it?
-  bool canAddEnergy = false;       ///< by itself; one that cannot turns energy over or takes it
   /// N s/m by which it resists every motion of a particle alike; null: not at all.
   double (*particleDamping)(const Scene& scene) = nullptr;
 };

@@ -1,4 +1,4 @@
-// The same cloth on another grid.
+// The same cloth on another grid: its size and mass stay, and pins and pushes go to the nearest particles.
 // Must not know: files, simulations.
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-// Writing scenes: the keys in the order of the built-in files.
+// Writes the keys in the order of the built-in files, each with its unit as a comment.
 #include "core/scene/scene_writer.h"
 
 #include <fmt/core.h>

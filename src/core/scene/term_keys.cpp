@@ -1,4 +1,4 @@
-// Splits keys at their points.
+// A key such as `springs.shear.ks` is split at its first and its last point.
 #include "core/scene/term_keys.h"
 
 #include <algorithm>

@@ -4,17 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/forces/terms/springs.h"
+
 namespace tyg {
 namespace {
 
 /// Sum over springs of ks (0.01 L0)^2 / 2: the energy of a sheet stretched by a hundredth.
 double hundredthStretch(const Scene& scene, const Sheet& sheet) {
-  const auto ofFamily = [&](const SpringFamily& springs, Family family) {
+  double sum = 0;
+  for (const Family family : kFamilies) {
     const double elongation = 0.01 * restLength(sheet, family);
-    return double(springCount(sheet, family)) * springs.ks * elongation * elongation / 2;
-  };
-  return ofFamily(scene.structural, Family::Structural) + ofFamily(scene.shear, Family::Shear) +
-         ofFamily(scene.bend, Family::Bend);
+    sum += double(springCount(sheet, family)) * familyOf(scene, family).ks * elongation * elongation / 2;
+  }
+  return sum;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
-// The energy alarm. Damping only takes, so two sums never rise by themselves: what a cloth stores less the work
-// put in, and that with what damping has lately taken. A method past its limit breaks the first where it explodes, and
-// the second where it jitters: there damping burns, step by step, what the method invents, and the store stays low.
+// The energy alarm. Damping only takes energy away, so two sums never rise by themselves in a real cloth. The first is
+// the energy that the cloth stores, less the work put in. The second is the first plus the energy that damping has
+// taken lately. Where a method past its limit explodes, the first sum rises. Where it only jitters, damping takes away
+// the energy that the method adds at every step, so that the stored energy stays small, and the second sum rises.
 //
 // Must not know: where the energies come from, methods.
 #pragma once
@@ -23,18 +24,18 @@ class Alarm {
   Alarm(double floor, double startEnergy) : floor_(floor), largest_(startEnergy) {}
 
   /// Takes the power (W) that damping takes at a time (s), at the regular checks alone and before check().
-  /// Between two of them the loss is estimated as their distance in time times the lower of their powers: too little
-  /// wherever motion dies out or swells, and hardly too little for a jitter, which goes on. Each check forgets a part
-  /// 1/kMemory of D, so that small errors of the estimate do not add up over a long run; forgetting never lifts the
-  /// sum.
+  /// The energy lost between two checks is estimated as the time between them times the lower of the two powers. That
+  /// is too little where the motion dies out or grows, and nearly right for a jitter, which stays the same. Each check
+  /// takes a part 1/kMemory off D, so that small errors of the estimate do not add up over a long run; this only lowers
+  /// the sum, and so never sets off the alarm.
   void lose(double power, double time);
   /// To be called for steps of h seconds. `forcing` (J/s2): the sum over the particles of |F|^2 / m, F what gravity and
   /// pushes do to a particle. A first-order method that begins to fall is ahead of the truth by n/2 of forcing h^2
   /// after n steps, with nothing else to compare it to while n is small: five of them keep the alarm quiet over the
   /// first steps, and are nothing later.
   void expect(double forcing, double h);
-  /// Takes the energies of a moment (J) and returns the status of the run. May be called as often as one likes: the
-  /// balance moves only with the first check after lose(), where stored and lost energy are of the same moment.
+  /// Takes the energies at one time (J) and returns the status of the run. May be called as often as one likes: the
+  /// balance changes only with the first check after lose(), when stored and lost energy are of the same time.
   Status check(const StoredEnergy& energy, double work);
 
   /// S: the largest over the run of |G|, |W| and K + E at the start, plus the floor, J.

@@ -32,25 +32,27 @@ std::span<const std::string_view> parameterKeys() {
   return kKeys;
 }
 
-/// A parameter that is a single number has no columns y and z.
+/// A parameter that is a single number has no columns value_y and value_z.
 void visitColumns(WorldEvent& change, EventColumns& columns) {
   columns.word("parameter", change.parameter, parameterKeys());
   const Parameter* parameter = findParameter(change.parameter);
   const Allowed allowed = parameter != nullptr ? parameter->allowed : Allowed::Any;
-  columns.number("x", change.value.x, allowed);
+  columns.number("value", change.value.x, allowed);
   if (parameter != nullptr && parameter->count == 1) return;
-  columns.number("y", change.value.y, allowed);
-  columns.number("z", change.value.z, allowed);
+  columns.number("value_y", change.value.y, allowed);
+  columns.number("value_z", change.value.z, allowed);
 }
 
 template <class E>
-constexpr EventKind kind(std::string_view name) {
-  return {name, [] { return EventAction(E{}); },
+constexpr EventKind kind(std::string_view name, std::string_view note = "") {
+  return {name, note, [] { return EventAction(E{}); },
           [](EventAction& action, EventColumns& columns) { visitColumns(std::get<E>(action), columns); }};
 }
 
 constexpr std::array kKinds{kind<PushEvent>("push"), kind<MethodEvent>("method"), kind<StepEvent>("step"),
-                            kind<WorldEvent>("world")};
+                            kind<WorldEvent>("world",
+                                             "a parameter that is a single number has value alone; the unit is that of "
+                                             "the parameter")};
 static_assert(kKinds.size() == std::variant_size_v<EventAction>);
 
 class Names final : public EventColumns {

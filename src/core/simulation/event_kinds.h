@@ -28,6 +28,7 @@ class EventColumns {
 /// An entry of the table of kinds, which has the order of the alternatives of EventAction.
 struct EventKind {
   std::string_view name;
+  std::string_view note;  ///< what a log's head says of its columns besides their names; may be empty
   EventAction (*make)();  ///< an event of this kind with the defaults of its struct
   void (*visit)(EventAction& action, EventColumns& columns);
 };

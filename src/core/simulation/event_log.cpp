@@ -170,7 +170,10 @@ std::string formatEventLog(const EventLog& log) {
     const std::string_view line = LogLines::cut(rest, '\n');
     text.append(kSceneMark).append(line.empty() ? "" : " ").append(line).append("\n");
   }
-  for (const EventKind& kind : eventKinds()) text += fmt::format("# {}: {}\n", kind.name, columnNames(kind.make()));
+  for (const EventKind& kind : eventKinds()) {
+    text += fmt::format("# {}: {}\n", kind.name, columnNames(kind.make()));
+    if (!kind.note.empty()) text += fmt::format("# {}: {}\n", kind.name, kind.note);
+  }
   text.append(kHeader).append("\n");
   for (const Event& event : log.events) {
     text += fmt::format("{},{}{}\n", event.tick, kindOf(event.action).name, columnValues(event.action));

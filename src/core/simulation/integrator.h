@@ -28,7 +28,8 @@ class Integrator {
     step(forces, state, most);
     return most;
   }
-  /// Forgets what was kept from the last step. Whoever edits the state or the forces calls this.
+  /// Forgets what was kept from the last step. To be called after every change of the state or of the forces from
+  /// outside.
   virtual void reset() {}
   /// Goes on with the parameters of this scene, of the same sheet, exactly as a new integrator of it would. Does anew
   /// only what depends on those that have changed. Throws InputError, and changes nothing, where the method does not

@@ -12,9 +12,10 @@ double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * 
 }  // namespace
 
 bool Pushes::Push::actsAt(const Instant& now) const {
-  if (byHand) return firstTick <= now.tick && now.tick < endTick;
+  if (const auto* ticks = std::get_if<Ticks>(&when)) return ticks->first <= now.tick && now.tick < ticks->end;
   const double soon = now.time + now.sameTime;
-  return begin <= soon && soon < end;
+  const auto& times = std::get<Times>(when);
+  return times.begin <= soon && soon < times.end;
 }
 
 double Pushes::Push::workUpTo(const Vec3& here) const {
@@ -25,13 +26,12 @@ Pushes::Pushes(const Scene& scene, const Sheet& sheet) {
   for (const tyg::Push& push : scene.pushes) {
     pushes_.push_back({.particle = particleAt(sheet, push.particle),
                        .force = push.force,
-                       .begin = push.at,
-                       .end = push.at + push.duration});
+                       .when = Times{push.at, push.at + push.duration}});
   }
 }
 
 void Pushes::add(int particle, const Vec3& force, std::int64_t firstTick, std::int64_t endTick) {
-  pushes_.push_back({.particle = particle, .force = force, .firstTick = firstTick, .endTick = endTick, .byHand = true});
+  pushes_.push_back({.particle = particle, .force = force, .when = Ticks{firstTick, endTick}});
 }
 
 bool Pushes::switchAt(const Instant& now, const Backend& backend) {
@@ -44,8 +44,12 @@ bool Pushes::switchAt(const Instant& now, const Backend& backend) {
     push.from = here;
     push.acting = !push.acting;
   }
-  if (jump) std::erase_if(pushes_, [&](const Push& push) { return push.byHand && push.endTick <= now.tick; });
-  return jump;
+  if (!jump) return false;
+  std::erase_if(pushes_, [&](const Push& push) {
+    const auto* ticks = std::get_if<Ticks>(&push.when);
+    return ticks != nullptr && ticks->end <= now.tick;
+  });
+  return true;
 }
 
 void Pushes::applyTo(Backend& backend) const {
@@ -75,8 +79,9 @@ double Pushes::work(const Backend& backend) const {
 double Pushes::nextEdge(const Instant& now, double end) const {
   double next = end;
   for (const Push& push : pushes_) {
-    if (push.byHand) continue;
-    for (const double edge : {push.begin, push.end}) {
+    const auto* times = std::get_if<Times>(&push.when);
+    if (times == nullptr) continue;
+    for (const double edge : {times->begin, times->end}) {
       if (edge > now.time + now.sameTime && edge < next - now.sameTime) next = edge;
     }
   }
@@ -85,8 +90,10 @@ double Pushes::nextEdge(const Instant& now, double end) const {
 
 std::int64_t Pushes::ticksToEdge(std::int64_t tick, std::int64_t most) const {
   for (const Push& push : pushes_) {
-    for (const std::int64_t edge : {push.firstTick, push.endTick}) {
-      if (push.byHand && edge > tick) most = std::min(most, edge - tick);
+    const auto* ticks = std::get_if<Ticks>(&push.when);
+    if (ticks == nullptr) continue;
+    for (const std::int64_t edge : {ticks->first, ticks->end}) {
+      if (edge > tick) most = std::min(most, edge - tick);
     }
   }
   return most;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <variant>
 #include <vector>
 
 #include "core/simulation/backend.h"
@@ -42,12 +43,18 @@ class Pushes {
   [[nodiscard]] std::size_t bytes() const { return pushes_.size() * sizeof(Push); }
 
  private:
+  /// When a push of the scene acts: from `begin` on, until `end`, s.
+  struct Times {
+    double begin = 0, end = 0;
+  };
+  /// When a push by hand acts: in the ticks [first, end).
+  struct Ticks {
+    std::int64_t first = 0, end = 0;
+  };
   struct Push {
     int particle = 0;
     Vec3 force;
-    double begin = 0, end = 0;                ///< s, of the scene
-    std::int64_t firstTick = 0, endTick = 0;  ///< by hand
-    bool byHand = false;
+    std::variant<Times, Ticks> when;
     bool acting = false;
     Vec3 from{};  ///< where the particle was when the push began to act
 

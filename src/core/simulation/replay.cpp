@@ -1,4 +1,4 @@
-// Handing out the events of a log one after another.
+// The methods that the events name are looked up before the run begins, so that a wrong name does not stop it halfway.
 #include "core/simulation/replay.h"
 
 #include <fmt/core.h>

@@ -34,7 +34,7 @@ void Simulation::Impl::perform(const MethodEvent& change, std::span<const Method
 
 void Simulation::Impl::perform(const StepEvent& change, std::span<const Method> /*methods*/) {
   if (!(change.dt > 0) || !std::isfinite(change.dt)) {
-    throw InputError(fmt::format("dt: found {:f}, allowed: above 0", change.dt));
+    throw InputError(fmt::format("dt: found {:g}, allowed: above 0", change.dt));
   }
   run.clock.useStep(change.dt);
 }

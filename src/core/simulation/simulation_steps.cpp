@@ -14,7 +14,8 @@ constexpr double kSameTime = 1e-9;   // of dt: stop times closer than this are o
 constexpr double kMostSteps = 1e15;  // of one run: more would not end, and could not be counted
 constexpr std::int64_t kStepsBetweenChecks = 64;
 
-/// Of fast waves, about. A method that stays stable however large the damping takes less.
+/// Whether the method takes as much energy from fast waves as their damping does, about. A method that stays stable
+/// however large the damping is takes less.
 bool takesWhatDampingTakes(const Method& method) {
   return method.stableStep != nullptr && std::isfinite(method.stableStep(0, 1));
 }
@@ -28,7 +29,8 @@ bool Simulation::Impl::halted() const {
 
 std::int64_t Simulation::Impl::stepsToCheck() const { return kStepsBetweenChecks - run.steps % kStepsBetweenChecks; }
 
-/// Where the step is longer than the run, the run tells which times are the same: they would all be one otherwise.
+/// Times closer than a billionth of dt are the same. Where dt is longer than the run it is a billionth of the run
+/// instead: a billionth of a huge dt could be longer than the run, and all of its times would be the same.
 Pushes::Instant Simulation::Impl::now() const {
   return {run.clock.time(), kSameTime * std::min(run.clock.dt(), scene.duration), run.clock.ticks()};
 }
@@ -81,7 +83,7 @@ void Simulation::Impl::advanceSegment(double stop) {
   const double span = stop - run.clock.time();
   const double steps = std::max(1.0, std::ceil(span / run.clock.dt() - kSameTime));
   if (steps > kMostSteps) {
-    throw InputError(fmt::format("dt: found {:f} steps to the next stop, allowed: up to 1e15", steps));
+    throw InputError(fmt::format("dt: found {:g} steps to the next stop, allowed: up to 1e15", steps));
   }
   advance(std::int64_t(steps), span / steps, stop);
 }

@@ -2,7 +2,6 @@
 // the rows are better. Must not know: how rows come about, how anything is drawn.
 #pragma once
 
-#include <string_view>
 #include <vector>
 
 #include "study/work/work_rows.h"

@@ -53,7 +53,7 @@ void SettingSearch::gatherCandidates() {
   const double interval = sampleTimes(scene_).front();
   double cheapest = 0;
   for (const Method* method : plan_.methods) {
-    if (!advisable(*method) || !takes(*method, scene_)) continue;
+    if (!method->advisable || !takes(*method, scene_)) continue;
     for (const Precision precision : plan_.precisions) {
       SettingCandidate& candidate = candidates_.emplace_back(scene_, *method, precision, interval);
       if (method->adaptive) continue;

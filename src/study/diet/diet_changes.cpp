@@ -65,7 +65,7 @@ std::vector<Changed> withLongerSteps(Scene scene) {
 std::vector<Changed> byOtherMethods(const Scene& scene) {
   std::vector<Changed> changes;
   for (const Method& method : methods()) {
-    if (method.name == scene.integrator || method.adaptive || !advisable(method) || !takes(method, scene)) continue;
+    if (method.name == scene.integrator || method.adaptive || !method.advisable || !takes(method, scene)) continue;
     const double limit = restLatticeLimit(scene, method);
     if (limit == 0) continue;
     Changed& change = changes.emplace_back(Changed{std::string(method.name), scene});
@@ -114,7 +114,5 @@ std::vector<Changed> changesOf(const Scene& scene, const Change& change) {
 bool repeats(const Change& change) {
   return change.kind == Change::HalfSheet || change.kind == Change::Step || change.kind == Change::Method;
 }
-
-bool advisable(const Method& method) { return method.name != "report-rk4"; }
 
 }  // namespace tyg

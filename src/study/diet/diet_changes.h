@@ -39,7 +39,4 @@ bool repeats(const Change& change);
 /// How much of its limit at rest a method may use where a study chooses the step.
 inline constexpr double kShareOfLimit = 0.95;
 
-/// May a study recommend a method? Not the one that is kept to show a mistake: its results depend on the unit of time.
-bool advisable(const Method& method);
-
 }  // namespace tyg

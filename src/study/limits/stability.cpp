@@ -26,14 +26,14 @@ double fastRate(const Mode& mode) { return mode.discriminant() > 0 ? -rootsOf(mo
 std::size_t limitingMode(const Method& method, const std::array<Mode, 5>& modes) {
   std::size_t worst = 0;
   double smallest = kEveryStep;
-  const auto look = [&](std::size_t k) {
+  const auto compare = [&](std::size_t k) {
     const double limit = method.stableStep(modes.at(k).w2, modes.at(k).d);
     if (limit < smallest) worst = k, smallest = limit;
   };
-  for (const std::size_t k : {0U, 1U, 2U}) look(k);
+  for (const std::size_t k : {0U, 1U, 2U}) compare(k);
   // The last two repeat the first two where a wave has one damping only.
-  if (modes[3].d != modes[0].d) look(3);
-  if (modes[4].d != modes[1].d) look(4);
+  if (modes[3].d != modes[0].d) compare(3);
+  if (modes[4].d != modes[1].d) compare(4);
   return worst;
 }
 

@@ -48,7 +48,5 @@ std::string appearanceOf(const Scene& scene, const StepLimit& limit);
 /// The same with the plane, the wave vector and the cause: `column stripes in plane, q = (3.14, 0.00), set by
 /// stiffness`.
 std::string describe(const Scene& scene, const StepLimit& limit);
-/// Why a method has no limit of its own; empty where it has one.
-std::string whyNoLimit(const Method& method);
 
 }  // namespace tyg

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "integrators/chebyshev.h"
-#include "study/limits/measured_limit.h"
 #include "study/limits/stability_study.h"
 #include "util/csv.h"
 #include "util/wrapped.h"
@@ -59,52 +57,16 @@ std::string paragraph(const std::string& words) {
   return page + "\n";
 }
 
-/// What explicit Euler's row without damping means.
-std::string explicitNote(const StabilityStudy& study, const StabilityCase& entry) {
-  const double w2 = entry.limit.mode.w2, seconds = study.scene.duration;
-  constexpr double kGrowth = 1000;
-  std::string note = fmt::format(
-      "explicit-euler without damping: no step is stable. Each multiplies the fastest mode by sqrt(1 + h^2 w^2), "
-      "w = {:.4g} /s, so that over T seconds a growth by G is survived only below h = 2 ln(G) / (w^2 T): {:.3g} ms for "
-      "G = 1000 in {:.3g} s.",
-      std::sqrt(w2), 1e3 * survivedStep(w2, seconds, kGrowth), seconds);
-  if (entry.inMotion > 0 && std::isfinite(entry.inMotion)) {
-    const double decades = entry.inMotion * w2 * seconds / 2 / std::log(10.0);
-    note += fmt::format(" The {:.3g} ms that held had it grow by 10^{:.1f}, from rounding and buckling.",
-                        1e3 * entry.inMotion, decades);
-  }
-  return note;
-}
-
-/// The same for rkc2, which takes two stages where none hold: |P_2(i y)|^2 = 1 + y^4 / 4.
-std::string stagesNote(const StabilityStudy& study, const StabilityCase& entry) {
-  const double w2 = entry.limit.mode.w2, seconds = study.scene.duration;
-  return fmt::format(
-      "rkc2 without damping: no step is stable, whatever the stages. Two, the fewest, multiply the fastest mode by "
-      "1 + (h w)^4 / 8 each step, w = {:.4g} /s: a growth by 1000 in {:.3g} s is survived only below {:.3g} ms.",
-      std::sqrt(w2), seconds, 1e3 * std::cbrt(8 * std::log(1000.0) / (w2 * w2 * seconds)));
-}
-
 /// What has to be said about a method's limit besides its numbers; empty where nothing has.
 std::string noteOn(const StabilityStudy& study, const StabilityCase& entry) {
-  const std::string_view method = entry.method->name;
-  const bool limited = entry.limit.predicted > 0;
-  if (method == "explicit-euler" && entry.limit.predicted == 0 && !entry.damped) return explicitNote(study, entry);
-  if (method == "explicit-euler" && limited && !entry.limit.byDamping) {
-    return "explicit-euler with damping: past its limit the least damped mode grows, but slowly; what holds above the "
-           "prediction is what the run was too short to show.";
-  }
-  if (method == "dopri54" && limited && !entry.damped) {
-    return "dopri54 without damping: just past its limit the fastest mode grows by less than a ten-thousandth a step; "
-           "what holds above the prediction is what the run was too short to show.";
-  }
-  if (method == "rkc2" && entry.limit.predicted == 0) return stagesNote(study, entry);
-  if (method == "rkc2" && limited) {
-    return fmt::format(
-        "rkc2 takes as many stages as its step needs to hold every wave, {} at most; past its limit none do.",
-        kMostChebyshevStages);
-  }
-  return "";
+  const Method& method = *entry.method;
+  if (method.noteOnLimit == nullptr) return "";
+  return method.noteOnLimit({.damped = entry.damped,
+                             .byDamping = entry.limit.byDamping,
+                             .predicted = entry.limit.predicted,
+                             .w2 = entry.limit.mode.w2,
+                             .seconds = study.scene.duration,
+                             .survived = entry.inMotion});
 }
 
 std::vector<std::string> notesOn(const StabilityStudy& study) {
@@ -115,7 +77,7 @@ std::vector<std::string> notesOn(const StabilityStudy& study) {
     if (entry.method->adaptive && adaptive.find(name(entry)) == std::string::npos) {
       adaptive += (adaptive.empty() ? "" : ", ") + name(entry);
     }
-    const std::string why = whyNoLimit(*entry.method);
+    const std::string why(entry.method->whyNoLimit);
     const bool told =
         std::ranges::any_of(notes, [&](const std::string& note) { return note.starts_with(name(entry)); });
     if (!why.empty() && !told) notes.push_back(name(entry) + " has no limit: " + why + ".");

@@ -75,6 +75,4 @@ StabilityStudy studyStability(const Scene& scene, const StabilityPlan& plan) {
   return study;
 }
 
-double survivedStep(double w2, double seconds, double growth) { return 2 * std::log(growth) / (w2 * seconds); }
-
 }  // namespace tyg

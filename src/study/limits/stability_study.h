@@ -43,9 +43,4 @@ std::string stabilityCsv(const StabilityStudy& study);
 /// The same for people, in at most 100 columns, with what has to be said about methods without a limit.
 std::string stabilityTable(const StabilityStudy& study);
 
-/// Explicit Euler undamped: every step multiplies the fastest mode by sqrt(1 + h^2 w^2), so that over T seconds a
-/// growth by G is survived up to about h = 2 ln(G) / (w^2 T), in s. `w2` in 1/s2, `seconds` the T, both > 0; `growth`
-/// > 1.
-double survivedStep(double w2, double seconds, double growth);
-
 }  // namespace tyg

@@ -1,4 +1,4 @@
-// What people read about a step limit: what the motion that fails first looks like, and why some methods have none.
+// What people read about a step limit: what the motion that fails first looks like, and what sets the limit.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -40,19 +40,6 @@ std::string describe(const Scene& scene, const StepLimit& limit) {
   return fmt::format("{} {}, q = ({:.2f}, {:.2f}), set by {}", appearance,
                      limit.outOfPlane ? "out of plane" : "in plane", limit.qx, limit.qy,
                      limit.byDamping ? "damping" : "stiffness");
-}
-
-std::string whyNoLimit(const Method& method) {
-  if (method.stableStep != nullptr || method.stableStepOfScene != nullptr) return "";
-  if (method.name == "backward-euler") {
-    return "the new velocity is solved for with springs that never push harder than they give, which shrinks every "
-           "mode at every step";
-  }
-  if (method.name == "xpbd") {
-    return "every spring is moved towards its length, never past it, whatever the step: large steps make it slack and "
-           "tired, not unstable";
-  }
-  return "no mode of the sheet sets one";
 }
 
 }  // namespace tyg

@@ -6,7 +6,6 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <vector>
 
 #include "study/motion/sampled_motion.h"
 #include "tyg/method.h"

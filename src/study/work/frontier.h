@@ -2,7 +2,6 @@
 // Must not know: how rows come about, charts.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 

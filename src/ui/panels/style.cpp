@@ -1,4 +1,4 @@
-// The colours; see style.h.
+// Two tables of colours, for dark and for light ground, and the sizes that all panels share.
 #include "ui/panels/style.h"
 
 #include <imgui.h>
