@@ -50,7 +50,7 @@ picture chart
 press c
 close_window
 
-# The others on the curtain, poked.
+# The others on the curtain, pushed.
 open_window curtain
 press g
 press space

@@ -173,7 +173,7 @@ open_window "$work/calm.toml" --window "$backend"
 press space
 until_true "it runs" later_than 1
 few_frames
-until_true "it falls asleep" stands_still
+until_true "it falls asleep" does_not_move
 few_frames
 is "$sim_s == $seen" || fail "it does not sleep: $sim_s after $seen"
 asleep_at=$sim_s

@@ -60,7 +60,7 @@ step_past() { is "$dt > $1"; }
 step_below() { is "$dt < $1"; }
 earlier_than() { is "$sim_s < $1"; }
 # Running, and no time passed over eight lines of the log.
-stands_still() {
+does_not_move() {
   if [[ $state != running || $sim_s != "${seen:-}" ]]; then seen=$sim_s seen_at=$frame; fi
   ((frame >= seen_at + 8))
 }

@@ -1,4 +1,4 @@
-// The sentences.
+// A distance is told once it is above what the reference itself may be off by.
 #include "viewer/ghost_words.h"
 
 #include <fmt/core.h>
