@@ -22,7 +22,7 @@ width=${screen%x*} height=${screen#*x}
 picture() {
   few_frames 8
   sleep 0.5 # for the frame to reach the screen
-  ffmpeg -loglevel error -y -f x11grab -video_size "$screen" -i "$DISPLAY" -frames:v 1 "$folder/$1-$screen.png"
+  ffmpeg -loglevel error -y -f x11grab -draw_mouse 0 -video_size "$screen" -i "$DISPLAY" -frames:v 1 "$folder/$1-$screen.png"
 }
 both() {
   picture "$1"

@@ -116,6 +116,21 @@ xdotool mousemove --window "$window" 160 575 click 1
 until_true "the button takes the safe step" step_below 0.0043
 until_true "and it runs on" in_state running
 
+# The last step of docs/first-steps.md: another method needs a smaller step, and then moves beside the true motion.
+press r
+until_true "R starts again" at_time 0
+press 3
+until_true "3 is the report's method" uses report-rk4
+press v
+until_true "V takes a step that holds with it" step_below 0.00278
+press space
+press g
+until_true "it runs beside the ghost" later_than 0.5
+in_state running || fail "the report's method does not hold: $state"
+press 5
+until_true "5 takes rk4 again" uses rk4
+press g
+
 # The time line.
 press space
 until_true "it pauses for the time line" in_state paused
