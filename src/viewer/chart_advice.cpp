@@ -1,4 +1,4 @@
-// Numbers are rounded to what the study can tell; what is not measured yet is said to be estimated.
+// Numbers keep three digits; an error between two measured ones is said to be about so much.
 #include "viewer/chart_advice.h"
 
 #include <fmt/core.h>

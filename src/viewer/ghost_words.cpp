@@ -1,4 +1,4 @@
-// A distance is told once it is above what the reference itself may be off by.
+// Distances are judged by the floor, below which the cloth itself has made them out of rounding errors.
 #include "viewer/ghost_words.h"
 
 #include <fmt/core.h>
