@@ -22,7 +22,7 @@ width=${screen%x*} height=${screen#*x}
 picture() {
   few_frames 8
   sleep 0.5 # for the frame to reach the screen
-  ffmpeg -loglevel error -y -f x11grab -video_size "$screen" -i "$DISPLAY" -frames:v 1 "$folder/$1-$screen.png"
+  ffmpeg -loglevel error -y -f x11grab -draw_mouse 0 -video_size "$screen" -i "$DISPLAY" -frames:v 1 "$folder/$1-$screen.png"
 }
 both() {
   picture "$1"
@@ -30,14 +30,14 @@ both() {
   picture "$1-light"
   press b
 }
-# From the start, poked on the way, and paused.
+# From the start, pushed on the way, and paused.
 run_a_while() {
   press r
   until_true "a restart" in_state waiting
   press space
   until_true "it swings" later_than 0.4
   xdotool mousemove --window "$window" $((width / 2)) $((height * 2 / 5)) click 1 mousemove $((width / 2)) 20
-  until_true "it is poked" later_than 0.75
+  until_true "it is pushed" later_than 0.75
   press space
   until_true "it pauses" in_state paused
 }

@@ -28,13 +28,29 @@ source "$here/../tests/driving.sh"
 picture() {
   few_frames 8
   sleep 0.5 # for the frame to reach the screen
-  ffmpeg -loglevel error -y -f x11grab -video_size "$screen" -i "$DISPLAY" -frames:v 1 "$pictures/$1.png"
+  ffmpeg -loglevel error -y -f x11grab -draw_mouse 0 -video_size "$screen" -i "$DISPLAY" -frames:v 1 "$pictures/$1.png"
 }
 # hold KEY WHAT CONDITION...: the key stays down until the condition holds.
 hold() {
   xdotool keydown "$1"
   until_true "${@:2}"
   xdotool keyup "$1"
+}
+# move_right_to X: the eye, so that an arrow away from where it was is seen from its side.
+move_right_to() { hold d "the eye is farther to the right" eye_right_of "$1"; }
+eye_right_of() { is "$eye_x > $1"; }
+# nearer NOTCHES: of the wheel.
+nearer() {
+  xdotool click --repeat "$1" --delay 100 4
+  few_frames 6
+}
+# turn ACROSS DOWN: the view, by dragging the mouse over so many pixels.
+turn() {
+  point 640 300
+  xdotool mousedown 3
+  few_frames
+  point $((640 + $1)) $((300 + $2))
+  xdotool mouseup 3
 }
 leave() {
   xdotool key Escape
@@ -54,8 +70,13 @@ press space
 until_true "it pauses" in_state paused
 xdotool mouseup 1
 click 730 290 # what is pushed while time is paused stays marked
-point 640 20
+nearer 2
+move_right_to 2.3
+turn -45 -15
 picture window
+leave
+
+open_window curtain
 press space
 hold bracketright "the step comes close to its limit" step_past 0.0039
 press space
@@ -73,19 +94,21 @@ until_true "it pauses" in_state paused
 picture cured
 leave
 
-open_window curtain --integrator report-rk4
+open_window curtain --integrator backward-euler --dt 0.01
 press h
+press g
 press space
-until_true "it swings" later_than 0.5
-xdotool mousemove 480 250 mousedown 1
-until_true "it is pushed" pushed_and_later 0.8
+until_true "it swings" later_than 0.6
+xdotool mousemove 560 240 mousedown 1
+until_true "it is pushed" pushed_and_later 0.85
 press space
 until_true "it pauses" in_state paused
 xdotool mouseup 1
-press g
-few_frames 60 # the ghost catches up from the start
-xdotool mousemove 530 330 click 4 click 4
-point 640 20 # the panel takes its final size
+few_frames 40 # the ghost catches up from the start
+click 590 270
+nearer 3
+move_right_to 1.9
+turn -20 -30 # the cloth to the left of the panel, and farther down
 picture front
 press g
 leave

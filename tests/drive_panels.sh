@@ -41,7 +41,7 @@ press ctrl+shift+z
 until_true "Ctrl+Shift+Z does it again" has_step "$small"
 
 # The last of the list of methods is xpbd; the wheel and the clicks on the list are the panel's alone.
-look && old_x=$eye_x old_y=$eye_y old_z=$eye_z
+read_log && old_x=$eye_x old_y=$eye_y old_z=$eye_z
 click 240 181
 for ((notch = 0; notch < 6; ++notch)); do xdotool mousemove 150 300 click 5; done
 few_frames
@@ -76,7 +76,7 @@ until_true "a click on a picture opens its scene" has_step 0.001
 xdotool search --onlyvisible --name '^Tyg: Flag' >/dev/null || fail "the title is not that of the new scene"
 press Escape
 few_frames
-look && [[ $state == waiting ]] || fail "Esc closed more than a panel"
+read_log && [[ $state == waiting ]] || fail "Esc closed more than a panel"
 press space
 until_true "the flag flies" later_than 0.1
 press space
@@ -101,7 +101,7 @@ press space
 until_true "the edited flag flies" later_than 0.1
 # What acts at once, the drag of the air, is part of the record.
 click 240 446
-look
+read_log
 in_state running || fail "a change of the drag stopped the cloth"
 until_true "it flies on" later_than "$(awk "BEGIN { print $sim_s + 0.1 }")"
 

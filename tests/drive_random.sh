@@ -47,7 +47,7 @@ while ((SECONDS < end)); do
   inputs=$((inputs + 1))
 done
 
-look && frames=$frame
+read_log && frames=$frame
 xdotool windowsize "$window" "$width" "$height" mousemove $((width / 2)) $((height / 2))
 for ((turn = 0; turn < 100; ++turn)); do # one panel or open list after the other, and then the window
   kill -0 "$viewer" 2>/dev/null || break

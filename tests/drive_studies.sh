@@ -11,7 +11,7 @@ source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/driving.sh"
 setting_changed() { [[ $integrator,$dt != "$before" ]]; }
 # From now on for so many simulated seconds.
 some_time() {
-  look
+  read_log
   until_true "time passes" later_than "$(awk "BEGIN { print $sim_s + $1 }")"
 }
 picture() {
@@ -30,7 +30,7 @@ width=${screen%x*} height=${screen#*x}
 open_window four-particles
 press c
 few_frames
-look && before=$integrator,$dt
+read_log && before=$integrator,$dt
 adopted=
 for ((turn = 0; turn < 400 && ${#adopted} == 0; ++turn)); do
   # Somewhere in the plot, where the rows come in one after the other.
@@ -42,7 +42,7 @@ for ((turn = 0; turn < 400 && ${#adopted} == 0; ++turn)); do
 done
 [[ -n $adopted ]] || fail "no click on the chart takes a setting"
 [[ $pushes == 0 ]] || fail "clicks on the chart push the cloth"
-look
+read_log
 echo "chart: from $before to $integrator,$dt after $turn clicks"
 point 300 "$((height - 200))"
 few_frames 40 # of rows coming in
@@ -50,7 +50,7 @@ picture chart
 press c
 close_window
 
-# The others on the curtain, poked.
+# The others on the curtain, pushed.
 open_window curtain
 press g
 press space
@@ -66,7 +66,7 @@ some_time 0.2
 # Another method beside it: the fifth line of the list, which then is the cloth's.
 click "$((width - 220))" 91
 click "$((width - 300))" 215
-look && before=$sim_s
+read_log && before=$sim_s
 click "$((width - 300))" 122
 until_true "the ghost's method is swapped with the cloth's" uses leapfrog
 until_true "and both begin anew" earlier_than "$before"
@@ -113,7 +113,7 @@ picture stretch
 for key in t g equal slash; do
   press "$key"
   few_frames
-  look && before=$pushes
+  read_log && before=$pushes
   open=1
   click "$((width - 300))" 57
   [[ $key != t ]] || open=0 # it was open

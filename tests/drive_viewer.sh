@@ -30,16 +30,16 @@ in_state paused || fail "it does not stay paused after a step"
 
 # The cloth starts in the middle of the window's width; the lower corners show the ground alone.
 for key in w a s d q e; do
-  look
+  read_log
   old_x=$eye_x old_y=$eye_y old_z=$eye_z
   xdotool keydown $key
   until_true "the eye moves with $key" eye_moved
   xdotool keyup $key
 done
 few_frames
-look && old_x=$eye_x old_y=$eye_y old_z=$eye_z
+read_log && old_x=$eye_x old_y=$eye_y old_z=$eye_z
 few_frames
-look && ! eye_moved || fail "the eye moves with no key held"
+read_log && ! eye_moved || fail "the eye moves with no key held"
 xdotool mousemove --window "$window" 640 300 click 4
 until_true "the eye moves with the wheel" eye_moved
 press f
@@ -73,7 +73,7 @@ done
 in_state running || fail "choosing methods stopped it"
 [[ $alarm == ok ]] || fail "the alarm went"
 
-look && old_x=$eye_x old_y=$eye_y old_z=$eye_z
+read_log && old_x=$eye_x old_y=$eye_y old_z=$eye_z
 press r
 until_true "R restarts" at_time 0
 eye_moved && fail "R moves the camera"
@@ -84,7 +84,7 @@ press 5
 press space
 until_true "it runs with rk4" in_state running
 drag_to_failure() {
-  look
+  read_log
   xdotool keydown bracketright
   until_true "the step passes its limit" step_past 0.0044
   xdotool keyup bracketright
@@ -100,7 +100,7 @@ until_true "stepping back goes back" earlier_than "$broke_at"
 press period
 until_true "and forward again" at_time "$broke_at"
 for ((turn = 0; turn < 200; ++turn)); do # into the failure again, however many steps it takes
-  look && in_state frozen && break
+  read_log && in_state frozen && break
   press period
 done
 until_true "it fails again where it failed" in_state frozen
@@ -115,6 +115,21 @@ few_frames
 xdotool mousemove --window "$window" 160 575 click 1
 until_true "the button takes the safe step" step_below 0.0043
 until_true "and it runs on" in_state running
+
+# The last step of docs/first-steps.md: another method needs a smaller step, and then moves beside the true motion.
+press r
+until_true "R starts again" at_time 0
+press 3
+until_true "3 is the report's method" uses report-rk4
+press v
+until_true "V takes a step that holds with it" step_below 0.00278
+press space
+press g
+until_true "it runs beside the ghost" later_than 0.5
+in_state running || fail "the report's method does not hold: $state"
+press 5
+until_true "5 takes rk4 again" uses rk4
+press g
 
 # The time line.
 press space
@@ -173,7 +188,7 @@ open_window "$work/calm.toml" --window "$backend"
 press space
 until_true "it runs" later_than 1
 few_frames
-until_true "it falls asleep" stands_still
+until_true "it falls asleep" does_not_move
 few_frames
 is "$sim_s == $seen" || fail "it does not sleep: $sim_s after $seen"
 asleep_at=$sim_s

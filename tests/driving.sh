@@ -29,7 +29,7 @@ fail() {
 }
 
 # The newest whole line of the log, as shell variables named after its columns.
-look() {
+read_log() {
   local line
   line=$(tail -n 2 "$log" 2>/dev/null | grep ',.*,.*,.*,.*,.*,.*,.*,.*,.*,.*,.*,' | grep -v '^frame' | tail -n 1) || return 1
   IFS=, read -r frame _ sim_s state integrator dt eye_x eye_y eye_z picked pushes kinetic_J alarm <<<"$line"
@@ -44,7 +44,7 @@ until_true() {
   local turn
   for ((turn = 0; turn < turns; ++turn)); do
     kill -0 "$viewer" 2>/dev/null || fail "the viewer ended while waiting: $what"
-    if look && "$@"; then return; fi
+    if read_log && "$@"; then return; fi
     sleep 0.05
   done
   fail "never happened: $what"
@@ -60,14 +60,14 @@ step_past() { is "$dt > $1"; }
 step_below() { is "$dt < $1"; }
 earlier_than() { is "$sim_s < $1"; }
 # Running, and no time passed over eight lines of the log.
-stands_still() {
+does_not_move() {
   if [[ $state != running || $sim_s != "${seen:-}" ]]; then seen=$sim_s seen_at=$frame; fi
   ((frame >= seen_at + 8))
 }
 press() { xdotool key --clearmodifiers "$1"; }
 # few_frames [COUNT]: from now on.
 few_frames() {
-  look
+  read_log
   until_true "more frames" frames_since "$((frame + ${1:-3}))"
 }
 # ImGui sees the mouse once a frame: it must have come to a place before a button is pressed there.

@@ -11,7 +11,7 @@
 namespace tyg {
 namespace {
 
-/// A pause longer than this is not filmed, s: a window that was hidden leaves no standing picture.
+/// A pause longer than this is not filmed, s: a window that was hidden leaves no still picture.
 constexpr double kLongestGap = 1;
 
 /// The upper left part of a picture.

@@ -118,7 +118,7 @@ void FrameLoop::followTitle() {
 }
 
 void FrameLoop::updateHints() {
-  if (viewer_.tools().record().uses > 0) hints_.did(Hints::Topic::Poke);
+  if (viewer_.tools().record().uses > 0) hints_.did(Hints::Topic::Push);
   if (panels_.isOpen(InputAction::OpenChart)) hints_.did(Hints::Topic::Chart);
   if (panels_.isOpen(InputAction::OpenGhost)) hints_.did(Hints::Topic::Ghost);
   hud_.filming(capture_.filmingText());

@@ -80,27 +80,28 @@ Hud::Column Hud::measure(bool choices) const {
   return column;
 }
 
-Hud::Column Hud::columnOf(bool choices, const ImVec2& screen) const {
+/// `room`: how far to the right and how far down the keys of both sides may reach.
+Hud::Column Hud::columnOf(bool choices, const ImVec2& room) const {
   Column column = measure(choices);
   const Column other = measure(!choices);
   const auto lines =
       static_cast<float>(std::max(column.lines, other.lines) + 1);  // one for the gap between the choices
-  const float height = screen.y - (kAbove + kFoot) * size_;
+  const float height = room.y - kAbove * size_;
   const float width = size_ + std::max(column.width, other.width);
   // A window too small for the keys gets smaller keys rather than cut ones, or keys over the cloth; a very low one
   // those that fit and can be read.
   const float fit =
-      std::min({1.0F, std::max(kLeastFit, height / (kLineRatio * size_ * lines)), kKeysShare * screen.x / width});
+      std::min({1.0F, std::max(kLeastFit, height / (kLineRatio * size_ * lines)), kKeysShare * room.x / width});
   column.size *= fit, column.keys *= fit, column.width *= fit;
-  column.left = choices ? screen.x - size_ - column.width : size_;
+  column.left = choices ? room.x - size_ - column.width : size_;
   column.top = choices ? size_ : size_ * kAbove;
   return column;
 }
 
 int Hud::keysWidth(Extent window) const {
   if (window.width <= 0 || window.height <= 0) return 0;
-  const ImVec2 screen{static_cast<float>(window.width), static_cast<float>(window.height)};
-  return static_cast<int>(std::max(columnOf(false, screen).width, columnOf(true, screen).width) + 2 * size_);
+  const ImVec2 room{static_cast<float>(window.width), static_cast<float>(window.height) - kFoot * size_};
+  return static_cast<int>(std::max(columnOf(false, room).width, columnOf(true, room).width) + 2 * size_);
 }
 
 void Hud::draw(const Viewer& viewer, Panels& panels) {
@@ -120,25 +121,27 @@ void Hud::draw(const Viewer& viewer, Panels& panels) {
   drawArrow(viewer, colours);
 }
 
-/// As many lines as fit above `free`.
+/// As many lines as fit above `free`, which may be smaller there than elsewhere.
 void Hud::drawKeys(const Viewer& viewer, const Colours& colours, bool choices, float free) const {
-  const Column column = columnOf(choices, screenSize());
-  const float bottom = column.top + (kLineRatio * float(column.lines) + (choices ? 0.6F : 0)) * column.size;
+  const ImVec2 screen = screenSize();
+  const Column column = columnOf(choices, {screen.x, std::min(free, screen.y - kFoot * size_)});
+  const float gap = choices ? 0.6F * column.size : 0, height = kLineRatio * column.size;
+  const float room = std::max(0.0F, (free - column.top - gap) / height);
+  const std::vector<const HelpLine*> lines = linesThatFit(help_, choices, static_cast<std::size_t>(room));
   writerFor(viewer).shade({column.left, column.top},
-                          {column.left + column.width, std::min(bottom, free - column.size)});
+                          {column.left + column.width, column.top + gap + height * float(lines.size())});
   float y = column.top;
   bool methodLines = choices;
-  for (const HelpLine& line : help_) {
-    if (isChoice(line.action) != choices) continue;
+  for (const HelpLine* each : lines) {
+    const HelpLine& line = *each;
     if (methodLines && line.action != InputAction::ChooseMethod) {
       methodLines = false;
-      y += 0.6F * column.size;
+      y += gap;
     }
-    if (y + kLineRatio * column.size > free) break;
     const bool on = isOn(line, viewer);
     write(fonts_.text, column.size, {column.left, y}, on ? colours.accent : colours.text, line.keys);
     write(fonts_.text, column.size, {column.left + column.keys, y}, on ? colours.accent : colours.dim, line.help);
-    y += kLineRatio * column.size;
+    y += height;
   }
 }
 

@@ -43,7 +43,7 @@ class Hud {
   static void ground(const TextWriter& writer, ImVec2 from, ImVec2 to, const Middle& middle);
   static void sayInMiddle(const TextWriter& writer, ImU32 colour, std::string_view text, Middle& middle);
   [[nodiscard]] Column measure(bool choices) const;
-  [[nodiscard]] Column columnOf(bool choices, const ImVec2& screen) const;
+  [[nodiscard]] Column columnOf(bool choices, const ImVec2& room) const;
   void drawKeys(const Viewer& viewer, const Colours& colours, bool choices, float free) const;
   [[nodiscard]] TextWriter writerFor(const Viewer& viewer) const;
   float drawFoot(const Viewer& viewer, Panels& panels);

@@ -43,10 +43,10 @@ std::vector<Buttons::Button> waysOut(const Viewer& viewer) {
 /// Where text in the middle of the window goes: between the panels, or over them where that is too narrow.
 struct Hud::Middle {
   float from = 0, to = 0;     ///< across the window
-  float left = 0, right = 0;  ///< between panels and keys
+  float left = 0, right = 0;  ///< between the keys
   bool free = false;          ///< of panels
   float top = 0;              ///< above what has been said so far
-  float sides = 0;            ///< above what of it reaches into the sides
+  float sides = 0;            ///< above what of it reaches over the keys
 };
 
 /// `keys`: the width that they take where there are no panels.
@@ -55,7 +55,9 @@ Hud::Middle Hud::middleBetween(const Panels& panels, float keys, float bottom) c
   const auto side = [&](Edge edge) { return panels.width(edge) > 0 ? panels.width(edge) : keys; };
   const float left = side(Edge::Left), right = screen - side(Edge::Right);
   const bool free = right - left >= kLeastMiddle * size_;
-  return {free ? left : 0, free ? right : screen, left, right, free, bottom, bottom};
+  const auto keysAt = [&](Edge edge) { return panels.width(edge) > 0 ? 0 : keys; };
+  return {free ? left : 0, free ? right : screen, keysAt(Edge::Left), screen - keysAt(Edge::Right), free, bottom,
+          bottom};
 }
 
 /// Over the panels where there is no room between them.

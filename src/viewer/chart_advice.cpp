@@ -1,4 +1,4 @@
-// The sentences.
+// Numbers keep three digits; an error between two measured ones is said to be about so much.
 #include "viewer/chart_advice.h"
 
 #include <fmt/core.h>
@@ -13,8 +13,8 @@ std::string timesText(double ratio) { return fmt::format("{:.{}f} times", ratio,
 
 std::string named(const Setting& setting) { return std::string(setting.method->name) + ", " + textOf(setting); }
 
-std::string presentSentence(const SettingEstimate& place, const Setting& setting, const ChartScale& scale) {
-  switch (place.kind) {
+std::string presentSentence(const SettingEstimate& estimate, const Setting& setting, const ChartScale& scale) {
+  switch (estimate.kind) {
     case SettingEstimate::Kind::Unknown:
       return named(setting) + ": not measured yet.";
     case SettingEstimate::Kind::Fails:
@@ -22,9 +22,9 @@ std::string presentSentence(const SettingEstimate& place, const Setting& setting
     default:
       break;
   }
-  const bool measured = place.kind == SettingEstimate::Kind::Measured;
-  return named(setting) + (measured ? ": error " : ": error about ") + errorText(place.error, scale) + " for " +
-         costText(place.seconds, scale) + ".";
+  const bool measured = estimate.kind == SettingEstimate::Kind::Measured;
+  return named(setting) + (measured ? ": error " : ": error about ") + errorText(estimate.error, scale) + " for " +
+         costText(estimate.seconds, scale) + ".";
 }
 
 }  // namespace
@@ -45,18 +45,18 @@ std::string costText(double seconds, const ChartScale& scale) {
 }
 
 ChartAdvice adviceOn(const std::vector<WorkRow>& rows, const Setting& present, const ChartScale& scale) {
-  const SettingEstimate place = estimateOf(rows, present);
-  ChartAdvice advice{.present = presentSentence(place, present, scale), .better = {}};
-  const BetterRows better = betterThan(rows, place);
+  const SettingEstimate estimate = estimateOf(rows, present);
+  ChartAdvice advice{.present = presentSentence(estimate, present, scale), .better = {}};
+  const BetterRows better = betterThan(rows, estimate);
   if (better.cheaper != nullptr) {
     advice.better += "Cheaper and at least as accurate: " + named(settingOf(*better.cheaper)) +
                      fmt::format(", at {:.3g} ms, ", scale.cost(better.cheaper->seconds)) +
-                     timesText(place.seconds / better.cheaper->seconds) + " cheaper. ";
+                     timesText(estimate.seconds / better.cheaper->seconds) + " cheaper. ";
   }
   if (better.closer != nullptr) {
     advice.better += "More accurate at no greater cost: " + named(settingOf(*better.closer)) +
                      fmt::format(", error {:.3g} mm, ", 1e3 * better.closer->rmsError) +
-                     timesText(place.error / better.closer->rmsError) + " smaller.";
+                     timesText(estimate.error / better.closer->rmsError) + " smaller.";
   }
   return advice;
 }

@@ -1,4 +1,4 @@
-// What breaks a run, said in one sentence, and what would hold: a smaller step, or another method at this step.
+// The ways out of a failure, a smaller step or another method at this step, and the sentences that name them.
 // Must not know: windows, how a cure is taken.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Following, going back, measuring.
+// The ghost replays the live run's log in strides, and keeps checkpoints of its own to go back to.
 #include "viewer/ghost.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The sentences.
+// Distances are judged by the floor, below which the cloth itself has made them out of rounding errors.
 #include "viewer/ghost_words.h"
 
 #include <fmt/core.h>

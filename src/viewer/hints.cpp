@@ -1,10 +1,11 @@
-// The hints' texts, and the small file that remembers them.
+// The hints that were seen are kept in a small file, one name a line.
 #include "viewer/hints.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <fstream>
 #include <string>
 
 #include "util/whole_file.h"
@@ -16,10 +17,11 @@ struct Hint {
   std::string_view name, text;
 };
 constexpr std::array<Hint, 3> kHints{
-    Hint{"poke", "A click on the cloth pushes it."},
+    Hint{"push", "A click on the cloth pushes it."},
     Hint{"chart", "C shows a chart of how fast and how accurate every method is in this scene."},
     Hint{"ghost", "G shows where the cloth would be if it were computed without errors."},
 };
+constexpr std::string_view kOldPush = "poke";  // what files of earlier versions call the first one
 
 }  // namespace
 
@@ -39,10 +41,15 @@ Hints::Hints(std::optional<std::filesystem::path> file) : file_(std::move(file))
     std::ranges::fill(seen_, true);
     return;
   }
-  std::ifstream in(*file_);
-  for (std::string line; std::getline(in, line);) {
-    const auto* const found = std::ranges::find(kHints, std::string_view(line), &Hint::name);
-    if (found != kHints.end()) seen_[found - kHints.begin()] = true;
+  std::string text;
+  try {
+    text = "\n" + readWholeFile(*file_, "cannot read the hints", "any file");
+  } catch (const std::exception&) {  // there is none yet, or it cannot be read
+    return;
+  }
+  for (std::size_t k = 0; k < kCount; ++k) {
+    const auto listed = [&text](std::string_view name) { return text.find(fmt::format("\n{}\n", name)) != text.npos; };
+    seen_[k] = listed(kHints[k].name) || (k == 0 && listed(kOldPush));
   }
 }
 

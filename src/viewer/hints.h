@@ -14,7 +14,7 @@ std::optional<std::filesystem::path> hintsFile();
 
 class Hints {
  public:
-  enum class Topic { Poke, Chart, Ghost };
+  enum class Topic { Push, Chart, Ghost };
   static constexpr double kSeconds = 20;  ///< that a hint stays when nobody follows it
 
   /// Hints that `file` says were seen are not shown. Nothing: none at all. A file that cannot be read or written costs

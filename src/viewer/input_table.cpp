@@ -1,4 +1,4 @@
-// The table of inputs, and the help that it makes.
+// The help follows the order of the table; neighbours with the same words share a line.
 #include "viewer/input_table.h"
 
 #include <algorithm>
@@ -83,9 +83,9 @@ std::vector<HelpLine> helpLines(std::span<const std::string_view> methods) {
   for (const Input& input : inputTable()) {
     if (input.help.empty()) continue;
     if (input.action == ChooseMethod) {
-      const std::size_t place = methodSlot(input.key);
-      if (place >= methods.size()) continue;
-      lines.push_back({std::string(input.keyName), std::string(methods[place]), input.action, place});
+      const std::size_t slot = methodSlot(input.key);
+      if (slot >= methods.size()) continue;
+      lines.push_back({std::string(input.keyName), std::string(methods[slot]), input.action, slot});
     } else if (!lines.empty() && lines.back().help == input.help) {
       lines.back().keys.append(" ").append(input.keyName);
     } else {
@@ -93,6 +93,19 @@ std::vector<HelpLine> helpLines(std::span<const std::string_view> methods) {
     }
   }
   return lines;
+}
+
+std::vector<const HelpLine*> linesThatFit(std::span<const HelpLine> lines, bool choices, std::size_t room) {
+  std::vector<const HelpLine*> fitting;
+  for (const HelpLine& line : lines) {
+    if (isChoice(line.action) != choices) continue;
+    if (fitting.size() < room) {
+      fitting.push_back(&line);
+    } else if (line.action == ShowHelp && room > 0) {
+      fitting.back() = &line;
+    }
+  }
+  return fitting;
 }
 
 }  // namespace tyg

@@ -50,5 +50,8 @@ struct HelpLine {
 };
 /// The help, with one line for each of these methods that has a number key.
 std::vector<HelpLine> helpLines(std::span<const std::string_view> methods);
+/// Of the choices, or of the others, the first `room` lines. Where not all fit, the one that hides and shows the keys
+/// is the last to go.
+std::vector<const HelpLine*> linesThatFit(std::span<const HelpLine> lines, bool choices, std::size_t room);
 
 }  // namespace tyg

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <string_view>
 
 #include "tyg/simulation.h"
 

@@ -9,7 +9,7 @@
 namespace tyg {
 
 std::unique_ptr<Tool> makePushTool();
-/// N: the force of a click where tools act with their usual strength: a poke that is seen everywhere and tears nothing.
+/// N: the force of a click where tools act with their usual strength: seen everywhere, and it tears nothing.
 double usualPush(const Sheet& sheet);
 
 }  // namespace tyg

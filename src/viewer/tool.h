@@ -30,12 +30,14 @@ struct ToolScope {
   ToolRecord& record;
 };
 
-/// What shows on the cloth that a tool acts.
+/// What shows on the cloth that a tool acts. Empty: nothing.
 struct ToolDrawing {
   std::optional<ShownPush> arrow;
 };
 
-/// A tool lives as long as the viewer. Positions of the cursor are in pixels of the framebuffer from its top left.
+/// A tool lives as long as the viewer. Only the chosen one is given the cursor and the button. What one of them left
+/// acting (a push is not over when the button comes up) goes on when another is chosen, so every tool follows the
+/// ticks and may draw. Positions of the cursor are in pixels of the framebuffer from its top left.
 class Tool {
  public:
   Tool() = default;
@@ -47,7 +49,7 @@ class Tool {
   virtual void press(const ToolScope& scope, glm::vec2 cursor) = 0;
   /// The cursor moved, whether or not the button is down.
   virtual void move(const ToolScope& /*scope*/, glm::vec2 /*cursor*/) {}
-  /// The button came up, or the window lost the focus, or a new run began.
+  /// The button came up, or the window lost the focus, or another tool was chosen.
   virtual void release() = 0;
   /// Before ticks: acts on the simulation where the button is still down. Returns how many ticks may pass at most, 1 at
   /// least, before it must act again.

@@ -2,6 +2,11 @@
 #include "viewer/tools.h"
 
 #include <algorithm>
+#include <limits>
+#include <string>
+
+#include "tyg/input_error.h"
+#include "util/text.h"
 
 namespace tyg {
 
@@ -9,9 +14,25 @@ Tools::Tools(RunControl& run, const ViewControl& view, Notes& notes) : run_(run)
   for (const ToolKind& kind : toolTable()) tools_.push_back(kind.make());
 }
 
+void Tools::choose(std::string_view name) {
+  const std::span<const ToolKind> table = toolTable();
+  const auto kind = std::ranges::find(table, name, &ToolKind::name);
+  if (kind == table.end()) {
+    throw InputError("tool: found \"" + std::string(name) + "\", allowed: " + joined(table, &ToolKind::name));
+  }
+  release();
+  chosen_ = static_cast<std::size_t>(kind - table.begin());
+}
+
 void Tools::press(glm::vec2 cursor) {
   if (run_.state() == RunState::Frozen || run_.seeking() || !view_.visible()) return;
   chosen().press(scope(), cursor);
+}
+
+std::int64_t Tools::follow(Simulation& simulation) {
+  std::int64_t ticks = std::numeric_limits<std::int64_t>::max();
+  for (const auto& tool : tools_) ticks = std::min(ticks, tool->follow(simulation));
+  return ticks;
 }
 
 bool Tools::actsAt(std::int64_t tick) const {
@@ -20,6 +41,13 @@ bool Tools::actsAt(std::int64_t tick) const {
 
 void Tools::restart() {
   for (const auto& tool : tools_) tool->restart();
+}
+
+ToolDrawing Tools::drawing() const {
+  for (const auto& tool : tools_) {
+    if (const ToolDrawing drawing = tool->drawing(run_); drawing.arrow) return drawing;
+  }
+  return {};
 }
 
 void Tools::setStrength(double factor) {

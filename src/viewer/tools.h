@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "viewer/tool.h"
@@ -19,8 +20,11 @@ class Tools {
   void press(glm::vec2 cursor);
   void move(glm::vec2 cursor) { chosen().move(scope(), cursor); }
   void release() { chosen().release(); }
-  /// Before ticks; see Tool::follow.
-  std::int64_t follow(Simulation& simulation) { return chosen().follow(simulation); }
+  /// The left button is this tool's from now on, and the tool before it lets go. Throws InputError, which names all
+  /// tools, where there is none of this name.
+  void choose(std::string_view name);
+  /// Before ticks; see Tool::follow. The least of what the tools allow.
+  std::int64_t follow(Simulation& simulation);
   [[nodiscard]] bool actsAt(std::int64_t tick) const;
   void restart();
   /// The particles are those of another sheet.
@@ -30,7 +34,8 @@ class Tools {
 
   [[nodiscard]] const ToolRecord& record() const { return record_; }
   [[nodiscard]] double strength() const { return record_.strength; }
-  [[nodiscard]] ToolDrawing drawing() const { return tools_[chosen_]->drawing(run_); }
+  /// Of the first tool in the table that draws something.
+  [[nodiscard]] ToolDrawing drawing() const;
 
  private:
   [[nodiscard]] Tool& chosen() { return *tools_[chosen_]; }

@@ -196,7 +196,7 @@ TEST_F(PanelsTest, EndAboveWhatIsSaidBelowThem) {
 }
 
 /// At the right edge, none of them over another.
-std::vector<ImRect> standing(std::initializer_list<const char*> titles) {
+std::vector<ImRect> shown(std::initializer_list<const char*> titles) {
   std::vector<ImRect> places;
   for (const char* title : titles) places.push_back(ImGui::FindWindowByName(title)->Rect());
   std::ranges::sort(places, {}, [](const ImRect& place) { return place.Min.y; });
@@ -212,7 +212,7 @@ TEST_F(PanelsTest, WhereAnEdgeIsTooLowTheOldOnesFoldToTheirTitlesAndNothingOverl
   panels_.endAbove(600), frames();
   EXPECT_FALSE(folded("Chart"));
   EXPECT_TRUE(folded("Energy"));
-  const auto places = standing(titles);
+  const auto places = shown(titles);
   for (std::size_t k = 1; k < places.size(); ++k) EXPECT_GE(places[k].Min.y, places[k - 1].Max.y);
   EXPECT_LE(places.back().Max.y, 600);
   ImGui::GetIO().DisplaySize = {1920, 3000};

@@ -34,6 +34,13 @@ glm::vec3 seen(const glm::vec3& rgb) {
   return {116 * f.y - 16, 500 * (f.x - f.y), 200 * (f.y - f.z)};
 }
 
+TEST(Style, ASquareInAUnitIsWrittenAsOne) {
+  EXPECT_EQ(unitText("m/s2"), "m/s\u00b2");
+  EXPECT_EQ(unitText("N s/m"), "N s/m");
+  EXPECT_EQ(unitText("2 m"), "2 m");
+  EXPECT_EQ(unitText(""), "");
+}
+
 TEST(Style, SevenSeriesAreToldApartByTheColourBlind) {
   constexpr float kClear = 16;  // 2.3 is just noticeable side by side; thin lines far apart need much more
   for (const Background background : {Background::Dark, Background::Light}) {

@@ -16,11 +16,11 @@ class HintsTest : public testing::Test {
   const std::filesystem::path file_ = folder_ / "state" / "hints";
 };
 
-TEST_F(HintsTest, TheFirstHintIsToPokeAndFollowingItBringsTheNext) {
+TEST_F(HintsTest, TheFirstHintIsToPushAndFollowingItBringsTheNext) {
   Hints hints(file_);
   const std::string first(hints.show(0));
   EXPECT_NE(first.find("pushes"), std::string::npos);
-  hints.did(Hints::Topic::Poke);
+  hints.did(Hints::Topic::Push);
   EXPECT_NE(hints.show(1), first);
   EXPECT_FALSE(hints.show(1).empty());
 }
@@ -36,10 +36,17 @@ TEST_F(HintsTest, AHintThatNobodyFollowsGoesAwayByItself) {
 TEST_F(HintsTest, WhatWasSeenDoesNotComeAgainInAnotherRun) {
   {
     Hints hints(file_);
-    hints.did(Hints::Topic::Poke), hints.did(Hints::Topic::Chart), hints.did(Hints::Topic::Ghost);
+    hints.did(Hints::Topic::Push), hints.did(Hints::Topic::Chart), hints.did(Hints::Topic::Ghost);
   }
   Hints later(file_);
   EXPECT_TRUE(later.show(0).empty());
+}
+
+TEST_F(HintsTest, AFileOfAnEarlierVersionCallsAPushAPoke) {
+  folder_.write("old", "poke\nunknown\n");
+  Hints hints(folder_ / "old");
+  EXPECT_EQ(hints.show(0).find("pushes"), std::string_view::npos);
+  EXPECT_FALSE(hints.show(0).empty()) << "the others are still to come";
 }
 
 TEST_F(HintsTest, WithoutAFileThereAreNone) {
@@ -51,7 +58,7 @@ TEST_F(HintsTest, WithoutAFileThereAreNone) {
 TEST_F(HintsTest, AFolderThatCannotBeMadeOnlyBringsThemAgain) {
   folder_.write("state", "a file where a folder should be");
   Hints hints(file_);
-  hints.did(Hints::Topic::Poke);
+  hints.did(Hints::Topic::Push);
   EXPECT_FALSE(hints.show(0).empty());
   EXPECT_NE(Hints(file_).show(0).find("pushes"), std::string_view::npos);
 }

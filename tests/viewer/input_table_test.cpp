@@ -62,6 +62,20 @@ TEST(InputTable, HelpShowsKeysThatBelongTogetherOnOneLine) {
   EXPECT_EQ(std::ranges::count(lines, "Q E", &HelpLine::keys), 1);
 }
 
+TEST(InputTable, TheKeyThatShowsTheKeysIsTheLastToGo) {
+  const auto lines = helpLines(kThreeMethods);
+  const auto all = linesThatFit(lines, false, 100);
+  EXPECT_EQ(all.back()->action, InputAction::Leave);
+  for (std::size_t room = 1; room < all.size(); ++room) {
+    const auto some = linesThatFit(lines, false, room);
+    ASSERT_EQ(some.size(), room);
+    EXPECT_EQ(some.back()->action, InputAction::ShowHelp) << room;
+    for (std::size_t k = 0; k + 1 < room; ++k) EXPECT_EQ(some[k], all[k]) << room;
+  }
+  EXPECT_TRUE(linesThatFit(lines, false, 0).empty());
+  EXPECT_EQ(linesThatFit(lines, true, 4).back()->action, InputAction::ShowStructural);
+}
+
 TEST(InputTable, HelpNamesTheMethodsByTheirNumbers) {
   const auto lines = helpLines(kThreeMethods);
   const auto second = std::ranges::find(lines, "2", &HelpLine::keys);

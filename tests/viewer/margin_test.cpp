@@ -39,17 +39,17 @@ TEST(Margin, FollowsMethodAndStep) {
   Simulation simulation(loadScene("curtain", methodNames()), findMethod("rk4"), {.threads = 1});
   double now = 0;
   MarginWatch watch;
-  const auto look = [&] { watch.update(simulation, [&now] { return now += 1e-3; }); };
-  look();
+  const auto update = [&] { watch.update(simulation, [&now] { return now += 1e-3; }); };
+  update();
   EXPECT_EQ(watch.margin().step, 0.002);
   EXPECT_EQ(watch.margin().rest, restLatticeLimit(simulation.scene(), findMethod("rk4")));
   simulation.useStep(0.001);
   simulation.useMethod(findMethod("leapfrog"));
-  look();
+  update();
   EXPECT_EQ(watch.margin().step, 0.001);
   EXPECT_EQ(watch.margin().rest, restLatticeLimit(simulation.scene(), findMethod("leapfrog")));
   simulation.useMethod(findMethod("dopri54"));
-  look();
+  update();
   EXPECT_EQ(watch.margin().band(), MarginBand::None);
 }
 

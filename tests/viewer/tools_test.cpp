@@ -97,6 +97,32 @@ TEST_F(ViewerTest, ARestartLetsGoOfTheCloth) {
   EXPECT_TRUE(viewer_.run().record().events.empty()) << "the button is still down, but not on this run";
 }
 
+TEST_F(ViewerTest, AToolIsChosenByItsNameAndTheOneBeforeLetsGo) {
+  clickOnCloth();
+  tap(' ');
+  viewer_.tools().choose("push");
+  frames(30);
+  EXPECT_EQ(viewer_.run().record().events.size(), 1U) << "the button is still down, but not for this tool";
+  EXPECT_TRUE(viewer_.tools().record().uses == 1 && viewer_.tools().record().picked == 210);
+}
+
+TEST_F(ViewerTest, WhatAToolLeftActingGoesOnWhenAnotherIsChosen) {
+  clickOnCloth();
+  viewer_.tools().choose("push");
+  EXPECT_TRUE(viewer_.tools().actsAt(49));
+  EXPECT_FALSE(viewer_.tools().actsAt(50));
+  EXPECT_TRUE(viewer_.tools().drawing().arrow);
+}
+
+TEST_F(ViewerTest, AnUnknownToolIsRefusedWithTheNamesOfAll) {
+  try {
+    viewer_.tools().choose("scissors");
+    FAIL() << "there are no scissors";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "tool: found \"scissors\", allowed: push");
+  }
+}
+
 TEST(ToolTable, NamesEveryToolOnce) {
   std::set<std::string_view> names;
   for (const ToolKind& kind : toolTable()) EXPECT_TRUE(names.insert(kind.name).second) << kind.name;

@@ -127,15 +127,15 @@ struct ChartPlot::Layout {
   }
 };
 
-void ChartPlot::chooseAxes(const Contents& contents, const SettingEstimate& place) {
+void ChartPlot::chooseAxes(const Contents& contents, const SettingEstimate& estimate) {
   DecadeRange costs, errors;
   for (const WorkRow& row : contents.rows) {
     if (!shown(row)) continue;
     costs.include(contents.scale.cost(row.seconds));
     errors.include(1e3 * row.rmsError);
   }
-  costs.include(contents.scale.cost(place.seconds));
-  errors.include(1e3 * place.error);
+  costs.include(contents.scale.cost(estimate.seconds));
+  errors.include(1e3 * estimate.error);
   if (costs.empty()) costs.include(1), costs.include(100);
   if (errors.empty()) errors.include(1e-6), errors.include(1e3 * contents.scale.size);
   cost_ = costs.axis();
@@ -237,11 +237,11 @@ void ChartPlot::drawCurves(const Layout& layout, const Contents& contents) const
   }
 }
 
-void ChartPlot::drawPresent(const Layout& layout, const Contents& contents, const SettingEstimate& place) {
-  if (place.kind == SettingEstimate::Kind::Unknown) return;
-  const bool fails = place.kind == SettingEstimate::Kind::Fails;
-  const ImVec2 at{fails ? layout.right - layout.strip() : layout.x(contents.scale.cost(place.seconds)),
-                  fails ? layout.top + 0.5F * layout.strip() : layout.y(1e3 * place.error)};
+void ChartPlot::drawPresent(const Layout& layout, const Contents& contents, const SettingEstimate& estimate) {
+  if (estimate.kind == SettingEstimate::Kind::Unknown) return;
+  const bool fails = estimate.kind == SettingEstimate::Kind::Fails;
+  const ImVec2 at{fails ? layout.right - layout.strip() : layout.x(contents.scale.cost(estimate.seconds)),
+                  fails ? layout.top + 0.5F * layout.strip() : layout.y(1e3 * estimate.error)};
   const float radius = 0.5F * layout.scope.size;
   const MethodStyle style = styleOfMethod(contents.present.method->name);
   layout.list.AddCircleFilled(at, radius, layout.scope.colours.text, 24);
@@ -320,8 +320,8 @@ void ChartPlot::legend(const PanelScope& scope, const Contents& contents) {
 }
 
 const WorkRow* ChartPlot::draw(const PanelScope& scope, const Contents& contents, float height) {
-  const SettingEstimate place = estimateOf(contents.rows, contents.present);
-  chooseAxes(contents, place);
+  const SettingEstimate estimate = estimateOf(contents.rows, contents.present);
+  chooseAxes(contents, estimate);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, small = kSmall * scope.size;
   ImGui::InvisibleButton("plot", {width, height});
@@ -337,7 +337,7 @@ const WorkRow* ChartPlot::draw(const PanelScope& scope, const Contents& contents
               scope.colours.text, kBelow);
   const WorkRow* under = nearest(layout, contents);
   drawCurves(layout, contents);
-  drawPresent(layout, contents, place);
+  drawPresent(layout, contents, estimate);
   if (under != nullptr) readOut(layout, *under);
   legend(scope, contents);
   return under;

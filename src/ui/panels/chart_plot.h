@@ -27,14 +27,14 @@ class ChartPlot {
 
  private:
   struct Layout;
-  void chooseAxes(const Contents& contents, const SettingEstimate& place);
+  void chooseAxes(const Contents& contents, const SettingEstimate& estimate);
   void legend(const PanelScope& scope, const Contents& contents);
   [[nodiscard]] static const WorkRow* nearest(const Layout& layout, const Contents& contents);
   static void drawGrid(const Layout& layout);
   static void drawCostTicks(const Layout& layout);
   static void drawErrorTicks(const Layout& layout);
   void drawCurves(const Layout& layout, const Contents& contents) const;
-  static void drawPresent(const Layout& layout, const Contents& contents, const SettingEstimate& place);
+  static void drawPresent(const Layout& layout, const Contents& contents, const SettingEstimate& estimate);
   static void readOut(const Layout& layout, const WorkRow& row);
 
   LogAxis cost_{1, 100}, error_{1e-6, 1};  ///< ms per simulated second; mm

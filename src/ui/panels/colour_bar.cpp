@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
-#include <array>
 #include <cmath>
 
 namespace tyg {

@@ -254,7 +254,7 @@ class ControlPanel final : public Panel {
       if (term->family) continue;
       for (const Parameter& parameter : term->parameters) {
         name(std::string(parameter.label).c_str(), scope.size);
-        field(parameter, parameter.unit, wanted);
+        field(parameter, unitText(parameter.unit), wanted);
         if (parameter.count == 3) tip(scope, "along x, y (up) and z");
       }
     }

@@ -1,4 +1,4 @@
-// What a panel is: a part of the laboratory that is drawn inside a window of its own over the cloth.
+// What a panel is: one study or set of controls, drawn inside a window of its own over the cloth.
 // Adding one is a file, a line in panel_table.cpp and a line in input_table.cpp for its key.
 // Must not know: any panel in particular, where panels are placed.
 #pragma once

@@ -180,11 +180,11 @@ void Panels::arrange(Edge edge) {
   float y = top;
   for (std::size_t which = 0; which < slots_.size(); ++which) {
     Slot& slot = slots_[which];
-    if (slot.dragged) slot.folded = false, slot.room = height;
+    if (slot.dragged) slot.folded = false, slot.maxHeight = height;
     if (!isAtEdge(which, edge)) continue;
     slot.top = y;
-    slot.room = std::max(std::max(slot.natural, slot.title) + spare, kLowest * size_);
-    y += (slot.folded ? slot.title : std::min(std::max(slot.natural, slot.title), slot.room)) + between;
+    slot.maxHeight = std::max(std::max(slot.natural, slot.title) + spare, kLowest * size_);
+    y += (slot.folded ? slot.title : std::min(std::max(slot.natural, slot.title), slot.maxHeight)) + between;
   }
 }
 
@@ -199,8 +199,8 @@ void Panels::placeNext(std::size_t which) {
     slot.x = x, slot.y = std::round(slot.top);
     ImGui::SetNextWindowPos({slot.x, slot.y});
   }
-  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, slot.room});
-  if (kind.height > 0) ImGui::SetNextWindowSize({width, std::min(kind.height * textSize(kind), slot.room)});
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, slot.maxHeight});
+  if (kind.height > 0) ImGui::SetNextWindowSize({width, std::min(kind.height * textSize(kind), slot.maxHeight)});
   if (slot.folded) ImGui::SetNextWindowCollapsed(true);
 }
 

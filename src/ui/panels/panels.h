@@ -45,7 +45,7 @@ class Panels {
     bool open = false;
     bool dragged = false;                                 ///< is where somebody put it
     bool folded = false;                                  ///< only its title is shown
-    float top = 0, room = 0;                              ///< where it may be, and how high it may be there
+    float top = 0, maxHeight = 0;                         ///< where it may be, and how high it may be there
     float x = 0, y = 0;                                   ///< where it was placed, ImGui's units
     float title = 0, natural = 0;                         ///< heights of its title and of all it has to show; 0 before
     float shownX = 0, shownY = 0, width = 0, height = 0;  ///< as last drawn; 0 before

@@ -1,4 +1,4 @@
-// Two tables of colours, for dark and for light ground, and the sizes that all panels share.
+// One table of colours for each background, and ImGui's own widgets dressed in them.
 #include "ui/panels/style.h"
 
 #include <imgui.h>
@@ -54,6 +54,18 @@ Colour seriesColour(std::size_t k, Background background) {
 }
 
 Colour faded(Colour colour, float share) { return ImGui::ColorConvertFloat4ToU32(unpacked(colour, share)); }
+
+std::string unitText(std::string_view unit) {
+  std::string text;
+  for (const char sign : unit) {
+    if (sign == '2' && !text.empty() && text.back() != ' ') {
+      text += "\u00b2";
+    } else {
+      text += sign;
+    }
+  }
+  return text;
+}
 
 void applyStyle(Background background, float size) {
   const Colours& colours = coloursOn(background);

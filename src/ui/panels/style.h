@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 #include "view/draw_options.h"
 
@@ -29,6 +31,9 @@ const Colours& coloursOn(Background background);
 Colour seriesColour(std::size_t k, Background background);
 /// The same colour, with this share (0..1) of its opacity.
 Colour faded(Colour colour, float share);
+
+/// A unit as people write it: `m/s²` for `m/s2`.
+std::string unitText(std::string_view unit);
 
 /// Gives ImGui's widgets these colours, with spacing for text of `size` pixels.
 void applyStyle(Background background, float size);
