@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "integrators/stable_step.h"
 #include "study/charts/stability_chart.h"
 #include "study/limits/measured_limit.h"
 #include "study/limits/stability_region.h"
