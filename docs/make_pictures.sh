@@ -83,7 +83,7 @@ press space
 until_true "it pauses" in_state paused
 picture close
 press space
-hold bracketright "the step passes its limit" step_past 0.0044
+hold bracketright "the step passes its limit" step_past 0.0043
 until_true "the alarm freezes it" in_state frozen
 picture failure
 press v

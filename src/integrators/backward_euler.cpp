@@ -3,7 +3,7 @@
 // A spring's stiffness matrix is ks (n n' + max(0, 1 - L0/|L|) (I - n n')): clamped, so that compressed springs keep
 // the system positive definite. Solved by conjugate gradients with 3x3 block Jacobi preconditioning, one block a
 // particle.
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
 #include "core/forces/term.h"
 #include "integrators/make.h"

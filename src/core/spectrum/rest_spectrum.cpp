@@ -2,6 +2,7 @@
 #include "core/spectrum/rest_spectrum.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -77,6 +78,11 @@ Vector topOf(const Matrix& K, const Matrix& C, const LineNormal& normal) {
 
 }  // namespace
 
+struct RestSpectrum::Matrices {
+  Matrix K, C;        // in the plane: two unknowns per free particle
+  Matrix outOfPlane;  // of C: one
+};
+
 RestSpectrum::RestSpectrum(const Scene& scene) {
   const Sheet sheet = makeSheet(scene);
   Assembly stiffness(sheet), damping(sheet), across(sheet);
@@ -97,27 +103,25 @@ RestSpectrum::RestSpectrum(const Scene& scene) {
       if (relative) across.spring(ends, perMass * springs.kd * Block::Identity(), 1);
     }
   }
-  K_ = stiffness.matrix(2);
-  C_ = damping.matrix(2);
-  outOfPlane_ = across.matrix(1);
+  matrices_ = std::make_shared<Matrices>(Matrices{stiffness.matrix(2), damping.matrix(2), across.matrix(1)});
 }
 
 Mode RestSpectrum::farthest(const LineNormal& normal) const {
-  if (K_.rows() == 0) return {};
-  const Vector u = topOf(K_, C_, normal);
-  return {std::max(0.0, u.dot(K_ * u)), std::max(0.0, u.dot(C_ * u))};
+  if (matrices_->K.rows() == 0) return {};
+  const Vector u = topOf(matrices_->K, matrices_->C, normal);
+  return {std::max(0.0, u.dot(matrices_->K * u)), std::max(0.0, u.dot(matrices_->C * u))};
 }
 
 Mode RestSpectrum::mostDampedOutOfPlane() const {
-  if (outOfPlane_.rows() == 0 || outOfPlane_.nonZeros() == 0) return {};
-  const Vector u = topOf(outOfPlane_, outOfPlane_, {0, 1});
-  return {0, std::max(0.0, u.dot(outOfPlane_ * u))};
+  if (matrices_->outOfPlane.rows() == 0 || matrices_->outOfPlane.nonZeros() == 0) return {};
+  const Vector u = topOf(matrices_->outOfPlane, matrices_->outOfPlane, {0, 1});
+  return {0, std::max(0.0, u.dot(matrices_->outOfPlane * u))};
 }
 
 double RestSpectrum::mostStiffnessPerDamping() const {
-  const Eigen::Index size = K_.rows();
-  const Eigen::MatrixXd K(K_);
-  Eigen::MatrixXd C(C_);
+  const Eigen::Index size = matrices_->K.rows();
+  const Eigen::MatrixXd K(matrices_->K);
+  Eigen::MatrixXd C(matrices_->C);
   if (size == 0 || K.norm() == 0) return 0;
   constexpr double kInfinity = std::numeric_limits<double>::infinity(), kTiny = 1e-9;
   if (C.norm() == 0) return kInfinity;
@@ -135,15 +139,16 @@ double RestSpectrum::mostStiffnessPerDamping() const {
 /// The eigenvalues of (x, v)' = (v, -K x - C v) in the plane; 0 and -d for every d of the damping out of it.
 std::vector<std::complex<double>> RestSpectrum::roots() const {
   std::vector<std::complex<double>> all;
-  const Eigen::Index size = K_.rows();
+  const Eigen::Index size = matrices_->K.rows();
   if (size == 0) return all;
   Eigen::MatrixXd motion = Eigen::MatrixXd::Zero(2 * size, 2 * size);
   motion.topRightCorner(size, size).setIdentity();
-  motion.bottomLeftCorner(size, size) = -Eigen::MatrixXd(K_);
-  motion.bottomRightCorner(size, size) = -Eigen::MatrixXd(C_);
+  motion.bottomLeftCorner(size, size) = -Eigen::MatrixXd(matrices_->K);
+  motion.bottomRightCorner(size, size) = -Eigen::MatrixXd(matrices_->C);
   const Eigen::EigenSolver<Eigen::MatrixXd> inPlane(motion, false);
   for (const std::complex<double>& mu : inPlane.eigenvalues()) all.push_back(mu);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> across(Eigen::MatrixXd(outOfPlane_), Eigen::EigenvaluesOnly);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> across(Eigen::MatrixXd(matrices_->outOfPlane),
+                                                              Eigen::EigenvaluesOnly);
   for (const double d : across.eigenvalues()) all.emplace_back(-d, 0);
   return all;
 }

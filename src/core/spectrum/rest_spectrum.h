@@ -2,8 +2,8 @@
 // bound. Must not know: moving states, measured limits.
 #pragma once
 
-#include <Eigen/SparseCore>
 #include <complex>
+#include <memory>
 #include <vector>
 
 #include "core/spectrum/lattice.h"
@@ -33,9 +33,8 @@ class RestSpectrum {
   [[nodiscard]] std::vector<std::complex<double>> roots() const;
 
  private:
-  using Matrix = Eigen::SparseMatrix<double>;
-  Matrix K_, C_;       // in the plane: two unknowns per free particle
-  Matrix outOfPlane_;  // of C: one
+  struct Matrices;  // Eigen's, which nobody else needs to compile
+  std::shared_ptr<const Matrices> matrices_;
 };
 
 }  // namespace tyg
