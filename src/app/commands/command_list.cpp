@@ -74,12 +74,12 @@ Json scenesJson() {
   Json list = Json::array();
   for (const Kind kind : {Kind::Showing, Kind::Failing}) {
     for (const Scene& scene : scenes(kind)) {
-      list.push_back({{"name", scene.name},
-                      {"title", scene.title},
-                      {"shows", scene.shows},
-                      {"columns", scene.columns},
-                      {"rows", scene.rows},
-                      {"fails", kind == Kind::Failing}});
+      list.append({{"name", scene.name},
+                   {"title", scene.title},
+                   {"shows", scene.shows},
+                   {"columns", scene.columns},
+                   {"rows", scene.rows},
+                   {"fails", kind == Kind::Failing}});
     }
   }
   return list;
@@ -88,12 +88,12 @@ Json scenesJson() {
 Json methodsJson() {
   Json list = Json::array();
   for (const Method& method : methods()) {
-    list.push_back({{"name", method.name},
-                    {"label", method.label},
-                    {"scheme", method.scheme},
-                    {"order", method.order},
-                    {"evaluations_per_step", method.evaluationsPerStep < 0 ? Json() : Json(method.evaluationsPerStep)},
-                    {"adaptive", method.adaptive}});
+    list.append({{"name", method.name},
+                 {"label", method.label},
+                 {"scheme", method.scheme},
+                 {"order", method.order},
+                 {"evaluations_per_step", method.evaluationsPerStep < 0 ? Json() : Json(method.evaluationsPerStep)},
+                 {"adaptive", method.adaptive}});
   }
   return list;
 }

@@ -135,7 +135,7 @@ Json needJson(const Need& need, const Diet& diet) {
 template <class Item, class ToJson>
 Json listJson(const std::vector<Item>& items, const ToJson& toJson) {
   Json list = Json::array();
-  for (const Item& item : items) list.push_back(toJson(item));
+  for (const Item& item : items) list.append(toJson(item));
   return list;
 }
 

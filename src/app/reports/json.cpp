@@ -27,7 +27,7 @@ Json Json::array() {
   return list;
 }
 
-void Json::push_back(const Json& item) { value_->push_back(*item.value_); }
+void Json::append(const Json& item) { value_->push_back(*item.value_); }
 
 void Json::update(std::initializer_list<Member> members) {
   for (const Member& member : members) (*value_)[std::string(member.key)] = *member.value.value_;

@@ -32,7 +32,7 @@ class Json {
   static Json array();
 
   /// Appends to an array.
-  void push_back(const Json& item);
+  void append(const Json& item);
   /// Sets keys of an object.
   void update(std::initializer_list<Member> members);
 

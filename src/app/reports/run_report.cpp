@@ -87,8 +87,7 @@ std::string firstToFail(const Scene& scene, const StepLimit& limit) {
 /// A tolerance allows waves as small as itself: one of a thousandth of the spacing is too small for any alarm.
 std::string toleranceAdvice(const Simulation& simulation, double limit) {
   const Scene& scene = simulation.scene();
-  std::string again =
-      fmt::format("Try --tolerance {:.2g}.", std::min(scene.tolerance / 10, 1e-3 * scene.spacing));
+  std::string again = fmt::format("Try --tolerance {:.2g}.", std::min(scene.tolerance / 10, 1e-3 * scene.spacing));
   if (!(limit > 0)) return again;
   return fmt::format(
       "Steps of {:.4g} s would hold at rest, but a tolerance of {:.2g} m is too large to keep to them; {}. {}", limit,

@@ -130,7 +130,7 @@ double RestSpectrum::mostStiffnessPerDamping() const {
   // of matrices too, but it would take seconds more to compile.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> damped(C);
   const Eigen::MatrixXd B = damped.eigenvectors() * damped.eigenvalues().cwiseSqrt().cwiseInverse().asDiagonal();
-  const Eigen::MatrixXd KB = K.lazyProduct(B), reduced = B.transpose().lazyProduct(KB);
+  const Eigen::MatrixXd product = K.lazyProduct(B), reduced = B.transpose().lazyProduct(product);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> pencil(reduced, Eigen::EigenvaluesOnly);
   const double most = pencil.eigenvalues()[size - 1];
   return most * kTiny * C.norm() < 1e-3 * K.norm() / double(size) ? most : kInfinity;
