@@ -14,7 +14,7 @@ prefix="$work/the prefix"
 quietly "$cmake" --install "$build" --prefix "$prefix"
 "$prefix/bin/tyg" --version >/dev/null || fail "the installed program does not start"
 
-headers=(input_error scene sheet method methods event_log simulation)
+headers=(input_error scene sheet method methods event_log energies simulation)
 (($(find "$prefix/include" -type f | wc -l) == ${#headers[@]})) || fail "installed are other headers than ${headers[*]}"
 for header in "${headers[@]}"; do
   echo "#include \"tyg/$header.h\"" >"$work/alone.cpp"

@@ -26,8 +26,8 @@ int main() try {
     if (tenth == 5) cloth.push(210, {0, 0, 3}, 50);  // 3 N along z on one particle for 50 steps
     cloth.tick(100);
     const tyg::Ledger energy = cloth.ledger();
-    std::printf("%.1f,%.4f,%.4f,%.4f,%.0e\n", cloth.time(), energy.kinetic, energy.elastic, energy.gravitational,
-                energy.drift);
+    std::printf("%.1f,%.4f,%.4f,%.4f,%.0e\n", cloth.time(), energy.kinetic, energy.stored["elastic"],
+                energy.stored["gravitational"], energy.drift);
   }
   std::printf("status %s, hash %s\n", tyg::nameOf(cloth.status()).data(), tyg::hashText(cloth).c_str());
   return cloth.status() == tyg::Status::Ok ? 0 : 1;

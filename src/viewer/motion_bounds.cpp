@@ -5,6 +5,8 @@
 #include <array>
 #include <glm/geometric.hpp>
 
+#include "core/forces/term.h"
+
 namespace tyg {
 namespace {
 
@@ -20,10 +22,10 @@ void addCorners(const Box& box, std::vector<glm::vec3>& points) {
 /// Where a pinned cloth that starts flat will hang.
 void addHangingCloth(const Simulation& simulation, std::vector<glm::vec3>& points) {
   const Sheet& sheet = simulation.sheet();
-  const Vec3& pull = simulation.scene().gravity;
-  const glm::vec3 gravity(pull.x, pull.y, pull.z);
-  if (sheet.start != Start::Flat || glm::length(gravity) == 0) return;
-  const glm::vec3 fall = static_cast<float>(sheet.spacing * (sheet.rows - 1)) * glm::normalize(gravity);
+  const Vec3 pull = steadyForce(simulation.scene());
+  const glm::dvec3 force(pull.x, pull.y, pull.z);
+  if (sheet.start != Start::Flat || glm::length(force) == 0) return;
+  const glm::vec3 fall(sheet.spacing * (sheet.rows - 1) * glm::normalize(force));
   for (const int pin : sheet.pins) {
     const Vec3 at = sheet.startPosition(pin);
     points.push_back(fall + glm::vec3(at.x, at.y, at.z));

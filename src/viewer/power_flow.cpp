@@ -1,16 +1,32 @@
 // Each power is the difference of one entry of two ledgers over the time between them.
 #include "viewer/power_flow.h"
 
+#include "core/forces/term.h"
+
 namespace tyg {
+
+double PowerFlow::missing() const {
+  double sum = -kinetic_;
+  for (const Bond& source : sources()) sum += source.watts;
+  for (const Bond& sink : sinks()) sum -= sink.watts;
+  return sum;
+}
 
 PowerFlow powerBetween(const Ledger& before, const Ledger& after, double seconds) {
   PowerFlow flow;
-  flow.gravity = (before.gravitational - after.gravitational) / seconds;
-  flow.pushes = (after.work - before.work) / seconds;
-  flow.springs = (after.elastic - before.elastic) / seconds;
-  flow.dampers = (after.dissipated - before.dissipated) / seconds;
-  flow.kinetic = (after.kinetic - before.kinetic) / seconds;
-  flow.missing = flow.gravity + flow.pushes - flow.springs - flow.dampers - flow.kinetic;
+  for (const EnergyStore& store : energyStores()) {
+    const double watts = (after.stored[store.name] - before.stored[store.name]) / seconds;
+    if (store.startsAtZero) {
+      flow.addSource({store.holder, -watts});
+    } else {
+      flow.addSink({store.holder, watts});
+    }
+  }
+  for (const Energies::Entry& work : after.work) {
+    flow.addSource({work.name, (work.joules - before.work[work.name]) / seconds});
+  }
+  flow.addSink({"dampers", (after.dissipated - before.dissipated) / seconds});
+  flow.setKinetic((after.kinetic - before.kinetic) / seconds);
   return flow;
 }
 

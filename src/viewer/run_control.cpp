@@ -14,9 +14,8 @@ namespace {
 constexpr double kSimulatingSeconds = 0.012;
 /// A cure goes on from this long before the last good frame, where the failure has not yet grown; simulated s.
 constexpr double kBackSeconds = 0.25;
-/// A replay shows this much again, simulated s, at this speed.
-constexpr double kReplaySeconds = 1, kReplaySpeed = 0.125;
-constexpr double kSlowest = 1.0 / 64;
+/// A replay shows this much again, simulated s.
+constexpr double kReplaySeconds = 1;
 
 }  // namespace
 
@@ -30,7 +29,7 @@ RunControl::RunControl(Simulation simulation, Clock clock, Notes& notes, RunList
       notes_(notes),
       listener_(listener),
       simulation_(std::move(simulation)),
-      frameClock_(simulation_.dt()),
+      playback_(simulation_.dt()),
       ticks_(clock_),
       failure_(clock_) {
   ticks_.guard(simulation_);
@@ -40,7 +39,7 @@ RunControl::RunControl(Simulation simulation, Clock clock, Notes& notes, RunList
 void RunControl::startOrPause() {
   if (state_ == RunState::Frozen) return;
   if (state_ != RunState::Running) return goOn();
-  endReplay();
+  playback_.endReplay();
   state_ = RunState::Paused;
 }
 
@@ -50,22 +49,21 @@ void RunControl::goOn() {
   simulation_.keepGoing(failure_.runsOn());
   failure_.thaw();
   state_ = RunState::Running;
-  frameClock_.restart();
+  playback_.clock().restart();
 }
 
 void RunControl::step() {
-  if (state_ == RunState::Frozen || seeking_) return;
-  endReplay();
+  if (state_ == RunState::Frozen || seeking()) return;
+  playback_.endReplay();
   state_ = RunState::Paused;
   run(1, 0);
   if (state_ == RunState::Paused) listener_.settingsReturned();
 }
 
 Simulation& RunControl::intervene() {
-  endReplay();
+  playback_.endReplay();
   sleep_.wake();
-  seeking_ = false;
-  arrived_ = {};
+  journey_.giveUp();
   if (history_.past()) history_.cut(simulation_);
   return simulation_;
 }
@@ -73,7 +71,7 @@ Simulation& RunControl::intervene() {
 /// Pauses there, which may take some frames, and then does `then`.
 void RunControl::turnTo(std::int64_t tick, std::function<void()> then) {
   if (state_ == RunState::Waiting) return;
-  endReplay();
+  playback_.endReplay();
   sleep_.wake();
   if (failure_.lastGood() && !failure_.runsOn()) tick = std::min(tick, failure_.lastGood()->tick);
   state_ = RunState::Paused;
@@ -81,8 +79,7 @@ void RunControl::turnTo(std::int64_t tick, std::function<void()> then) {
   notes_.clear();
   simulation_.keepGoing(true);
   history_.turnTo(simulation_, tick);
-  seeking_ = true;
-  arrived_ = std::move(then);
+  journey_.begin(std::move(then));
   seek();
 }
 
@@ -90,32 +87,20 @@ void RunControl::turnToTime(double time) { turnTo(history_.tickAt(time, simulati
 
 void RunControl::seek() {
   run(history_.target() - simulation_.ticks(), kSimulatingSeconds);
-  if (!seeking_ || simulation_.ticks() < history_.target()) return;
-  seeking_ = false;
+  if (!seeking() || simulation_.ticks() < history_.target()) return;
+  const auto then = journey_.arrive();
   simulation_.keepGoing(failure_.runsOn());
   listener_.settingsReturned();
   show();
-  if (const auto then = std::exchange(arrived_, {})) then();
+  if (then) then();
 }
 
 void RunControl::replay() {
   turnTo(history_.tickAt(shown_.time() - kReplaySeconds, simulation_), [this] {
-    replaying_ = true;
-    speedBefore_ = frameClock_.speed();
-    frameClock_.setSpeed(std::min(speedBefore_, kReplaySpeed));
+    playback_.beginReplay();
     state_ = RunState::Running;
-    frameClock_.restart();
+    playback_.clock().restart();
   });
-}
-
-void RunControl::endReplay() {
-  if (replaying_) frameClock_.setSpeed(speedBefore_);
-  replaying_ = false;
-}
-
-void RunControl::changeSpeed(double factor) {
-  frameClock_.setSpeed(std::clamp(frameClock_.speed() * factor, kSlowest, 1.0));
-  speedBefore_ = frameClock_.speed();  // a person's choice outlasts the replay in which it is made
 }
 
 void RunControl::runOn() {
@@ -124,7 +109,7 @@ void RunControl::runOn() {
   failure_.setRunsOn(true);
   simulation_.keepGoing(true);
   state_ = RunState::Running;
-  frameClock_.restart();
+  playback_.clock().restart();
 }
 
 bool RunControl::turnBeforeFailure(std::function<void()> then) {
@@ -141,10 +126,9 @@ void RunControl::startOver(Simulation fresh) {
   } catch (const std::exception& error) {
     trouble = error.what();
   }
-  endReplay();
+  playback_.endReplay();
   sleep_.wake();
-  seeking_ = false;
-  arrived_ = {};
+  journey_.giveUp();
   failure_.restart();
   simulation_ = std::move(fresh);
   ticks_.guard(simulation_);
@@ -160,14 +144,14 @@ void RunControl::showStart() {
 }
 
 void RunControl::advance(double frameSeconds, double otherSeconds) {
-  if (seeking_) return seek();
+  if (seeking()) return seek();
   if (state_ != RunState::Running || asleep()) return;
-  frameClock_.setTick(simulation_.dt());
-  frameClock_.ran(run(frameClock_.due(frameSeconds), std::max(kSimulatingSeconds, otherSeconds)));
-  if (!replaying_) return;
+  playback_.clock().setTick(simulation_.dt());
+  playback_.clock().ran(run(playback_.clock().due(frameSeconds), std::max(kSimulatingSeconds, otherSeconds)));
+  if (!playback_.replaying()) return;
   listener_.settingsReturned();
   if (history_.past() || state_ != RunState::Running) return;
-  endReplay();
+  playback_.endReplay();
   state_ = RunState::Paused;
 }
 
@@ -178,11 +162,11 @@ int RunControl::run(std::int64_t ticks, double seconds) {
     ticks_.run(simulation_, history_, listener_, ticks, seconds);
     if (ticks_.takeStall()) {
       freezeOnStall();
-    } else if (simulation_.ticks() > first && !seeking_) {
+    } else if (simulation_.ticks() > first && !seeking()) {
       show();
     }
   } catch (const std::exception& error) {
-    seeking_ = false;
+    journey_.giveUp();
     freeze(error.what());
   }
   return static_cast<int>(simulation_.ticks() - first);
@@ -192,7 +176,7 @@ int RunControl::run(std::int64_t ticks, double seconds) {
 void RunControl::show() {
   if (!shown_.take(simulation_, failure_.runsOn())) return freezeOnAlarm();
   if (simulation_.status() == Status::Ok && !history_.past()) failure_.passed(shown_.tick());
-  if (state_ == RunState::Running && !replaying_ && !listener_.actsAt(shown_.tick())) {
+  if (state_ == RunState::Running && !playback_.replaying() && !listener_.actsAt(shown_.tick())) {
     sleep_.follow(simulation_, shown_.kinetic());
   } else {
     sleep_.wake();
@@ -200,7 +184,7 @@ void RunControl::show() {
 }
 
 void RunControl::freezeOnAlarm() {
-  endReplay();
+  playback_.endReplay();
   listener_.settingsReturned();
   state_ = RunState::Frozen;
   failure_.freezeOnAlarm(simulation_, shown_);
@@ -208,9 +192,13 @@ void RunControl::freezeOnAlarm() {
 
 /// The simulation is at the beginning of the tick that was given up.
 void RunControl::freezeOnStall() {
-  if (!std::exchange(seeking_, false)) show();
+  if (seeking()) {
+    journey_.giveUp();
+  } else {
+    show();
+  }
   if (state_ == RunState::Frozen) return;
-  endReplay();
+  playback_.endReplay();
   listener_.settingsReturned();
   state_ = RunState::Frozen;
   failure_.freezeOnStall(simulation_, shown_, TickRunner::kLongestTick);

@@ -7,10 +7,11 @@
 #include <string_view>
 
 #include "tyg/simulation.h"
-#include "view/frame_clock.h"
 #include "viewer/failure.h"
 #include "viewer/history.h"
+#include "viewer/journey.h"
 #include "viewer/notes.h"
+#include "viewer/playback.h"
 #include "viewer/run_listener.h"
 #include "viewer/shown_state.h"
 #include "viewer/sleep_watch.h"
@@ -48,7 +49,7 @@ class RunControl {
   void turnToTime(double time);
   /// Shows the last second again, slowly.
   void replay();
-  void changeSpeed(double factor);
+  void changeSpeed(double factor) { playback_.changeSpeed(factor); }
   /// Past the alarm that stopped it; does nothing where none did.
   void runOn();
   /// Turns back to shortly before the failure, where it had not yet grown, and then does `then`, perhaps some frames
@@ -79,8 +80,8 @@ class RunControl {
   void followLedger(bool on) { simulation_.followLedger(on); }
 
   [[nodiscard]] RunState state() const { return state_; }
-  [[nodiscard]] double now() const { return clock_(); }    ///< s, of the clock that it was given
-  [[nodiscard]] bool seeking() const { return seeking_; }  ///< on the way to a past time
+  [[nodiscard]] double now() const { return clock_(); }               ///< s, of the clock that it was given
+  [[nodiscard]] bool seeking() const { return journey_.underWay(); }  ///< on the way to a past time
   [[nodiscard]] const Simulation& simulation() const { return simulation_; }
   [[nodiscard]] const ShownState& shown() const { return shown_; }
   [[nodiscard]] const Failure& failure() const { return failure_; }
@@ -89,9 +90,9 @@ class RunControl {
   /// It runs, and stays as it is until something is done to it. No ticks pass meanwhile.
   [[nodiscard]] bool asleep() const { return sleep_.asleep(shown_.time()); }
   /// Neither ticks pass nor is a past time on its way.
-  [[nodiscard]] bool resting() const { return (state_ != RunState::Running || asleep()) && !seeking_; }
+  [[nodiscard]] bool resting() const { return (state_ != RunState::Running || asleep()) && !seeking(); }
   /// Its speed is the simulated seconds that are wanted per second.
-  [[nodiscard]] const FrameClock& frameClock() const { return frameClock_; }
+  [[nodiscard]] const FrameClock& frameClock() const { return playback_.clock(); }
   /// The run so far: its ticks and hash filled in.
   [[nodiscard]] EventLog record() const { return history_.record(simulation_); }
   /// The run that leads to what is shown: up to a past time, or into the failure that the text tells of.
@@ -100,7 +101,6 @@ class RunControl {
  private:
   void turnTo(std::int64_t tick, std::function<void()> then = {});
   void seek();
-  void endReplay();
   int run(std::int64_t ticks, double seconds);
   void show();
   void freezeOnAlarm();
@@ -110,17 +110,14 @@ class RunControl {
   Notes& notes_;
   RunListener& listener_;
   Simulation simulation_;
-  FrameClock frameClock_;
+  Playback playback_;
   History history_;
   TickRunner ticks_;
   SleepWatch sleep_;
   ShownState shown_;
   Failure failure_;
   RunState state_ = RunState::Waiting;
-  bool seeking_ = false;           ///< on the way to history_.target()
-  std::function<void()> arrived_;  ///< done at history_.target()
-  bool replaying_ = false;         ///< the past is shown again, slowly
-  double speedBefore_ = 1;         ///< that a replay goes back to
+  Journey journey_;  ///< to history_.target()
   std::function<void(const EventLog&)> onRunEnd_;
 };
 

@@ -1,6 +1,7 @@
 // The place in the row kernel for terms of whole cells, tried with a term that no scene has.
 #include <gtest/gtest.h>
 
+#include "core/forces/row_energy.h"
 #include "core/forces/row_forces.h"
 #include "core/forces/state.h"
 #include "test_systems.h"
@@ -14,7 +15,7 @@ struct CornerSum {
   template <class T>
   using Numbers = Gravity::Numbers<T>;
   template <class T>
-  static Vec<T> cornerForce(const Corners<T>& x, const Corners<T>& v, const Numbers<T>& /*weight*/) {
+  static Vec<T> cornerForce(const Corners<Vec<T>>& x, const Corners<Vec<T>>& v, const Numbers<T>& /*weight*/) {
     return (T(1) * x.here + T(2) * x.right) + (T(3) * x.below + T(4) * x.belowRight) + T(5) * (v.here + v.belowRight);
   }
 };
@@ -70,6 +71,35 @@ TEST(CellTerms, PullAllFourCornersOfEveryCell) {
         EXPECT_LE(length(found[i] - expected[i]), kRounding * columns * rows) << i << " of " << columns << "x" << rows;
       }
     }
+  }
+}
+
+TEST(CellTerms, SumAnAmountOverEveryCellOnce) {
+  constexpr double kRounding = 1e-12;  // of a sum of up to a hundred numbers near 1
+  const auto amount = [](const auto& x, const auto& v) {
+    return (1.0 * x.here.x + 2.0 * x.right.y) + (3.0 * x.below.z + 4.0 * x.belowRight.x) +
+           5.0 * (v.here.z * v.belowRight.y);
+  };
+  for (const auto& [columns, rows] : {std::pair{1, 3}, {3, 1}, {2, 2}, {5, 4}, {8, 3}, {9, 3}, {17, 5}, {33, 3}}) {
+    Bench<double> bench(emptyWorld(columns, rows));
+    Numbers numbers(43);
+    shake(bench, 0.3, numbers);
+    const auto corners = [&, across = columns](const VectorField<double>& field, int a) {
+      return Corners<Vec3>{field.get(a), field.get(a + 1), field.get(a + across), field.get(a + across + 1)};
+    };
+    EnergyRow<double> row;
+    row.columns = columns, row.rows = rows;
+    row.stride = bench.forces.layout().stride, row.plane = bench.forces.layout().plane;
+    row.position = bench.state.position.x(), row.velocity = bench.state.velocity.x();
+    double found = 0, expected = 0;
+    for (row.row = 0; row.row < rows; ++row.row) {
+      found += RowOfTerms<double>(row).sumOverCells(amount);
+      for (int column = 0; column + 1 < columns && row.row + 1 < rows; ++column) {
+        const int a = row.row * columns + column;
+        expected += amount(corners(bench.state.position, a), corners(bench.state.velocity, a));
+      }
+    }
+    EXPECT_NEAR(found, expected, kRounding * columns * rows) << columns << "x" << rows;
   }
 }
 

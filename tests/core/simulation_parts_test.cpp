@@ -61,14 +61,20 @@ EnergyWatch quietWatch(bool followsLedger) {
   return {scene, makeSheet(scene), {}, followsLedger};
 }
 
+StoredEnergy elastic(double joules) {
+  StoredEnergy energy;
+  energy.of<StructuralSprings>() = joules;
+  return energy;
+}
+
 TEST(EnergyWatch, KeepsTheFirstAlarmAndItsTime) {
   EnergyWatch watch = quietWatch(false);
   watch.check({});
   EXPECT_EQ(watch.status(), Status::Ok);
   EXPECT_TRUE(std::isnan(watch.alarmTime()));
   const double large = watch.ledger({}).scale;
-  watch.check({.stored = {.elastic = large}, .time = 2});
-  watch.check({.stored = {.elastic = NAN}, .time = 3});
+  watch.check({.stored = elastic(large), .time = 2});
+  watch.check({.stored = elastic(NAN), .time = 3});
   watch.check({.time = 4});
   EXPECT_EQ(watch.status(), Status::NotFinite);
   EXPECT_EQ(watch.alarmTime(), 2);
@@ -91,9 +97,10 @@ TEST(EnergyWatch, CountsTheDriftFromWhereTheLedgerIsFollowed) {
 TEST(EnergyWatch, AfterOtherLiveParametersWhatIsStoredCountsAnew) {
   const Scene scene = softSheet(Damping::Relative);
   EnergyWatch watch = quietWatch(false);
-  const StoredEnergy stored{.elastic = 1e6, .gravitational = 7};
-  watch.begin(scene, makeSheet(scene), 7, stored);
-  EXPECT_EQ(watch.potential(stored), 1e6);
+  StoredEnergy stored = elastic(1e6), start;
+  stored.of<Gravity>() = start.of<Gravity>() = 7;
+  watch.begin(scene, makeSheet(scene), start, stored);
+  EXPECT_EQ(watch.mechanical(stored), 1e6);
   watch.check({.stored = stored});
   EXPECT_EQ(watch.status(), Status::Ok);
 }

@@ -54,11 +54,11 @@ TEST(LiveChanges, OfGravityKeepTheStartShapeAtHeightZero) {
   Scene scene = tickingSheet(Precision::Float);
   scene.displacements = {{.particle = Place{.name = "middle"}, .by = {0.1, 0.2, 0.3}}};
   Simulation simulation(scene, findMethod("leapfrog"));
-  EXPECT_EQ(simulation.ledger().gravitational, 0);
+  EXPECT_EQ(simulation.ledger().stored["gravitational"], 0);
   for (const Vec3& gravity : {Vec3{1, 2, 3}, Vec3{}, Vec3{0, -9.81, 0}}) {
     scene.gravity = gravity;
     simulation.useLiveParameters(scene);
-    EXPECT_EQ(simulation.ledger().gravitational, 0);
+    EXPECT_EQ(simulation.ledger().stored["gravitational"], 0);
   }
 }
 

@@ -65,13 +65,14 @@ std::string sizeAndMethod(const Simulation& simulation) {
 std::string energyLines(const FinishedRun& run) {
   const Ledger& now = run.ledger;
   constexpr double kMostMeaning = 9;  // of stretch: ten times its length
-  const bool cloth = now.maxStretch <= kMostMeaning && std::isfinite(now.kinetic + now.elastic + now.gravitational);
+  const bool cloth = now.maxStretch <= kMostMeaning && std::isfinite(now.mechanical());
   if (run.simulation.status() != Status::Ok && !cloth) {
     return "energy        without meaning: the cloth has flown apart (--json gives the numbers)\n";
   }
-  std::string text =
-      fmt::format("energy        kinetic {:.4g} J, elastic {:.4g} J, gravitational {:.4g} J, work of pushes {:.4g} J\n",
-                  now.kinetic, now.elastic, now.gravitational, now.work);
+  std::string text = fmt::format("energy        kinetic {:.4g} J", now.kinetic);
+  for (const auto& [name, joules] : now.stored) text += fmt::format(", {} {:.4g} J", name, joules);
+  for (const auto& [name, joules] : now.work) text += fmt::format(", work of {} {:.4g} J", name, joules);
+  text += "\n";
   if (run.followsLoss) {
     text += fmt::format("ledger        dissipated {:.4g} J; drift {:.3g} of the run's energy scale of {:.4g} J\n",
                         now.dissipated, now.drift, now.scale);
@@ -98,7 +99,7 @@ std::string toleranceAdvice(const Simulation& simulation, double limit) {
 bool wasHalted(const FinishedRun& run) {
   const Simulation& simulation = run.simulation;
   return simulation.method().adaptive && simulation.scene().tolerance > 0 && simulation.status() == Status::NotFinite &&
-         std::isfinite(run.ledger.kinetic + run.ledger.elastic);
+         std::isfinite(run.ledger.mechanical());
 }
 
 std::string haltAdvice(const Simulation& simulation) {
@@ -152,7 +153,7 @@ std::string limitAdvice(const Simulation& simulation, const StepLimit& said, dou
 std::string runJson(const FinishedRun& run) {
   const Simulation& simulation = run.simulation;
   const Scene& scene = simulation.scene();
-  return jsonText({
+  Json json({
       {"scene", scene.name},
       {"columns", scene.columns},
       {"rows", scene.rows},
@@ -166,9 +167,10 @@ std::string runJson(const FinishedRun& run) {
       {"seconds", run.seconds},
       {"simulated_seconds", simulation.time()},
       {"kinetic_J", run.ledger.kinetic},
-      {"elastic_J", run.ledger.elastic},
-      {"gravitational_J", run.ledger.gravitational},
-      {"work_J", run.ledger.work},
+  });
+  for (const auto& [name, joules] : run.ledger.stored) json.update({{fmt::format("{}_J", name), joules}});
+  json.update({
+      {"work_J", run.ledger.work.sum()},
       {"dissipated_J", run.followsLoss ? run.ledger.dissipated : kUnknown},
       {"ledger_drift", run.followsLoss ? run.ledger.drift : kUnknown},
       {"max_stretch", run.ledger.maxStretch},
@@ -176,6 +178,7 @@ std::string runJson(const FinishedRun& run) {
       {"hash", hashText(simulation)},
       {"status", nameOf(simulation.status())},
   });
+  return jsonText(json);
 }
 
 std::string runSummary(const FinishedRun& run) {

@@ -126,34 +126,42 @@ double elasticOfRun(const EnergyRow<T>& in, const SpringLaw<double>& law, std::p
   return energy;
 }
 
+/// The particles of one row and the cells below it, as terms see them.
 template <class T>
-TYG_INLINE double halfSquares(const T* v, std::ptrdiff_t plane, int n) {
-  return 0.5 * sumOf(n, [=](int k) {
-           const EightVectors u = eightVectors(v + k, plane);
-           return dotOf(u, u);
-         });
-}
-
-/// The particles of one row, as terms see them.
-template <class T>
-class ParticleRow {
+class RowOfTerms {
  public:
-  explicit ParticleRow(const EnergyRow<T>& in)
+  explicit RowOfTerms(const EnergyRow<T>& in)
       : position_(in.position + in.row * in.stride),
         velocity_(in.velocity + in.row * in.stride),
+        stride_(in.stride),
         plane_(in.plane),
-        columns_(in.columns) {}
+        columns_(in.columns),
+        hasRowBelow_(in.row + 1 < in.rows) {}
 
-  template <class Term>
-  [[nodiscard]] TYG_INLINE double sumOverPositions(const Term& term) const {
-    return sumOf(columns_, [&](int k) { return term(eightVectors(position_ + k, plane_)); });
+  /// Sum of what `amount` says of the position and the velocity of each particle.
+  template <class Amount>
+  [[nodiscard]] TYG_INLINE double sumOverParticles(const Amount& amount) const {
+    return sumOf(columns_, [&](int k) {
+      return amount(eightVectors(position_ + k, plane_), eightVectors(velocity_ + k, plane_));
+    });
   }
-  [[nodiscard]] TYG_INLINE double halfSquaresOfVelocity() const { return halfSquares(velocity_, plane_, columns_); }
+  /// Sum of what `amount` says of the positions and the velocities of the corners of each cell below the row.
+  template <class Amount>
+  [[nodiscard]] TYG_INLINE double sumOverCells(const Amount& amount) const {
+    if (!hasRowBelow_) return 0;
+    return sumOf(columns_ - 1, [&](int k) { return amount(cornersAt(position_ + k), cornersAt(velocity_ + k)); });
+  }
 
  private:
+  [[nodiscard]] TYG_INLINE Corners<EightVectors> cornersAt(const T* planes) const {
+    return {eightVectors(planes, plane_), eightVectors(planes + 1, plane_), eightVectors(planes + stride_, plane_),
+            eightVectors(planes + stride_ + 1, plane_)};
+  }
+
   const T *position_, *velocity_;
-  std::ptrdiff_t plane_;
+  std::ptrdiff_t stride_, plane_;
   int columns_;
+  bool hasRowBelow_;
 };
 
 template <class Term, class T>
@@ -164,14 +172,17 @@ TYG_INLINE const typename Term::template Numbers<double>& numbersOf(const Energy
 template <class T>
 StoredEnergy energyOfRow(const EnergyRow<T>& given) {
   const EnergyRow<T> in = given;
-  const ParticleRow<T> particles(in);
+  const RowOfTerms<T> row(in);
   StoredEnergy sum;
-  sum.kinetic = particles.halfSquaresOfVelocity();
+  sum.kinetic = 0.5 * row.sumOverParticles([](const EightVectors&, const EightVectors& v) { return dotOf(v, v); });
   AllTerms::forEach([&]<class Term>() {
-    if constexpr (requires { Term::kStored; }) sum.*Term::kStored += Term::storedIn(particles, numbersOf<Term>(in));
+    if constexpr (requires { Term::template storedIn<RowOfTerms<T>>; }) {
+      sum.template of<Term>() += Term::storedIn(row, numbersOf<Term>(in));
+    }
   });
+  double& elastic = sum.of<StructuralSprings>();
   forSpringRuns(in, [&](const SpringLaw<double>& law, std::ptrdiff_t a, std::ptrdiff_t b, int n) {
-    if (law.ks > 0 || law.kd > 0) sum.elastic += elasticOfRun(in, law, a, b, n, sum.maxStretch);
+    if (law.ks > 0 || law.kd > 0) elastic += elasticOfRun(in, law, a, b, n, sum.maxStretch);
   });
   return sum;
 }
@@ -180,12 +191,10 @@ StoredEnergy energyOfRow(const EnergyRow<T>& given) {
 template <class T>
 double powerOfRow(const EnergyRow<T>& given) {
   const EnergyRow<T> in = given;
-  const ParticleRow<T> particles(in);
+  const RowOfTerms<T> row(in);
   double sum = 0;
   AllTerms::forEach([&]<class Term>() {
-    if constexpr (requires { Term::template powerIn<ParticleRow<T>>; }) {
-      sum += Term::powerIn(particles, numbersOf<Term>(in));
-    }
+    if constexpr (requires { Term::template powerIn<RowOfTerms<T>>; }) sum += Term::powerIn(row, numbersOf<Term>(in));
   });
   const Eight tiny = partByPart([](int) { return Lanes<double>{} + 1e-300; });
   forSpringRuns(in, [&](const SpringLaw<double>& law, std::ptrdiff_t a, std::ptrdiff_t b, int n) {

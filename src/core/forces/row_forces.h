@@ -154,12 +154,12 @@ TYG_INLINE const typename Term::template Numbers<T>& numbersOf(const RowTask<T>&
 }
 
 /// The corners of a cell: a particle, its right neighbour, and the two below them.
-template <class T>
+template <class Vector>
 struct Corners {
-  Vec<T> here, right, below, belowRight;
+  Vector here, right, below, belowRight;
 };
 template <class T>
-TYG_INLINE Corners<T> corners(const T* planes, const RowTask<T>& task, std::ptrdiff_t a) {
+TYG_INLINE Corners<Vec<T>> corners(const T* planes, const RowTask<T>& task, std::ptrdiff_t a) {
   const std::ptrdiff_t below = a + task.stride;
   return {load(planes, task.plane, a), load(planes, task.plane, a + 1), load(planes, task.plane, below),
           load(planes, task.plane, below + 1)};
@@ -169,7 +169,7 @@ TYG_INLINE Corners<T> corners(const T* planes, const RowTask<T>& task, std::ptrd
 template <class CellTerms, class T, class Exists>
 TYG_INLINE Vec<T> cellForce(const RowTask<T>& task, const Exists& exists, std::ptrdiff_t a) {
   Vec<T> sum{};
-  const Corners<T> x = corners(task.position, task, a), v = corners(task.velocity, task, a);
+  const Corners<Vec<T>> x = corners(task.position, task, a), v = corners(task.velocity, task, a);
   CellTerms::forEach([&]<class Term>() { sum = sum + Term::cornerForce(x, v, numbersOf<Term>(task)); });
   return exists * sum;
 }

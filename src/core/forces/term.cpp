@@ -27,6 +27,8 @@ bool damps(const Parameter& parameter) { return parameter.role == Role::Damping;
 
 std::span<const ForceTerm* const> forceTerms() { return kTerms; }
 
+std::span<const EnergyStore> energyStores() { return std::span(kStores.list).first(kStores.count); }
+
 bool hasTerm(const Scene& scene, const ForceTerm& term) {
   return std::ranges::any_of(term.parameters,
                              [&](const Parameter& parameter) { return parameter.get(scene) != Vec3{}; });
@@ -40,6 +42,16 @@ double particleDamping(const Scene& scene) {
   double sum = 0;
   for (const ForceTerm* term : forceTerms()) {
     if (term->particleDamping != nullptr) sum += term->particleDamping(scene);
+  }
+  return sum;
+}
+
+Vec3 steadyForce(const Scene& scene) {
+  Vec3 sum;
+  for (const ForceTerm* term : forceTerms()) {
+    if (term->steadyForce == nullptr) continue;
+    const Vec3 force = term->steadyForce(scene);
+    sum = {sum.x + force.x, sum.y + force.y, sum.z + force.z};
   }
   return sum;
 }
@@ -60,6 +72,13 @@ Scene withoutSpringDamping(Scene scene) {
 Scene withoutParticleDamping(Scene scene) {
   for (const ForceTerm* term : forceTerms()) {
     if (!term->family) clear(scene, *term, damps);
+  }
+  return scene;
+}
+
+Scene withoutSteadyForce(Scene scene) {
+  for (const ForceTerm* term : forceTerms()) {
+    if (term->steadyForce != nullptr) leaveOut(scene, *term);
   }
   return scene;
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/forces/parameter.h"
+#include "core/forces/terms/term_list.h"
 #include "tyg/sheet.h"
 
 namespace tyg {
@@ -19,20 +20,28 @@ struct ForceTerm {
   bool mayBeLeftOut = true;        ///< is a leaner model of the same cloth thinkable without it?
   /// N s/m by which it resists every motion of a particle alike; null: not at all.
   double (*particleDamping)(const Scene& scene) = nullptr;
+  /// N by which it pulls every particle alike, wherever that is; null: not at all.
+  Vec3 (*steadyForce)(const Scene& scene) = nullptr;
 };
 
 /// All terms, in the order of a scene file.
 std::span<const ForceTerm* const> forceTerms();
+
+/// What the terms store energy in.
+std::span<const EnergyStore> energyStores();
 
 bool hasTerm(const Scene& scene, const ForceTerm& term);
 void leaveOut(Scene& scene, const ForceTerm& term);
 
 /// N s/m by which all terms together resist every motion of a particle alike.
 double particleDamping(const Scene& scene);
+/// N by which all terms together pull every particle alike.
+Vec3 steadyForce(const Scene& scene);
 /// Does the scene have any damping, of springs or of particles?
 bool isDamped(const Scene& scene);
 Scene withoutDamping(Scene scene);
 Scene withoutSpringDamping(Scene scene);
 Scene withoutParticleDamping(Scene scene);
+Scene withoutSteadyForce(Scene scene);
 
 }  // namespace tyg

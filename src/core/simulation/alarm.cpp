@@ -35,9 +35,9 @@ void Alarm::Sum::take(double value, double large, bool first) {
 }
 
 Status Alarm::check(const StoredEnergy& energy, double work) {
-  const double stored = energy.kinetic + energy.elastic + energy.gravitational - work;
+  const double stored = energy.sum() - work;
   if (!std::isfinite(stored + lost_)) return Status::NotFinite;
-  largest_ = std::max({largest_, std::abs(energy.gravitational), std::abs(work)});
+  largest_ = std::max({largest_, energy.sizeSinceStart(), std::abs(work)});
   const double large = scale() + firstSteps_;
   stored_.take(stored, large, !checked_);
   if (lossIsPresent_) balance_.take(stored + lost_, large, !checked_);
@@ -46,7 +46,7 @@ Status Alarm::check(const StoredEnergy& energy, double work) {
 }
 
 Alarm makeAlarm(const Scene& scene, const Sheet& sheet, const StoredEnergy& start) {
-  return {hundredthStretch(scene, sheet), start.kinetic + start.elastic};
+  return {hundredthStretch(scene, sheet), start.withNaturalZero()};
 }
 
 }  // namespace tyg

@@ -29,10 +29,10 @@ class Alarm {
   /// takes a part 1/kMemory off D, so that small errors of the estimate do not add up over a long run; this only lowers
   /// the sum, and so never sets off the alarm.
   void lose(double power, double time);
-  /// To be called for steps of h seconds. `forcing` (J/s2): the sum over the particles of |F|^2 / m, F what gravity and
-  /// pushes do to a particle. A first-order method that begins to fall is ahead of the truth by n/2 of forcing h^2
-  /// after n steps, with nothing else to compare it to while n is small: five of them keep the alarm quiet over the
-  /// first steps, and are nothing later.
+  /// To be called for steps of h seconds. `forcing` (J/s2): the sum over the particles of |F|^2 / m, F what steady
+  /// forces and pushes do to a particle. A first-order method that begins to fall is ahead of the truth by n/2 of
+  /// forcing h^2 after n steps, with nothing else to compare it to while n is small: five of them keep the alarm quiet
+  /// over the first steps, and are nothing later.
   void expect(double forcing, double h);
   /// Takes the energies at one time (J) and returns the status of the run. May be called as often as one likes: the
   /// balance changes only with the first check after lose(), when stored and lost energy are of the same time.

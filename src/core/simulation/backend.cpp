@@ -58,9 +58,7 @@ class BackendOf final : public Backend {
     return spectrum_->stableStep(method, state_);
   }
   [[nodiscard]] StoredEnergy energy() const override { return forces_.energy(state_); }
-  [[nodiscard]] double startHeight() const override {
-    return forces_.energy(displacedStart<T>(scene_, sheet_)).gravitational;
-  }
+  [[nodiscard]] StoredEnergy startEnergy() const override { return forces_.energy(displacedStart<T>(scene_, sheet_)); }
   [[nodiscard]] double lossPower() const override { return forces_.lossPower(state_.position, state_.velocity); }
   [[nodiscard]] double dissipated() const override { return forces_.dissipated(); }
   [[nodiscard]] std::int64_t evaluations() const override { return forces_.evaluations(); }

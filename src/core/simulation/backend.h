@@ -37,8 +37,8 @@ class Backend {
   /// See Forces::trackDissipation.
   virtual void trackDissipation(bool on) = 0;
   [[nodiscard]] virtual StoredEnergy energy() const = 0;
-  /// Gravitational energy that the start shape has in the gravity of now, J.
-  [[nodiscard]] virtual double startHeight() const = 0;
+  /// Energies of the start shape with the parameters of now.
+  [[nodiscard]] virtual StoredEnergy startEnergy() const = 0;
   /// See Forces::lossPower.
   [[nodiscard]] virtual double lossPower() const = 0;
   [[nodiscard]] virtual double dissipated() const = 0;

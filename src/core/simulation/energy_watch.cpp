@@ -11,28 +11,26 @@ void EnergyWatch::turn(Status status, double time) {
 }
 
 void EnergyWatch::check(const EnergySample& sample) {
-  StoredEnergy energy = sample.stored;
-  energy.gravitational -= startHeight_;
+  const StoredEnergy energy = sample.stored.since(start_);
   maxStretch_ = std::max(maxStretch_, energy.maxStretch);
   turn(alarm_.check(energy, sample.work), sample.time);
 }
 
 double EnergyWatch::sum(const EnergySample& sample) const {
-  return sample.stored.kinetic + sample.stored.elastic + (sample.stored.gravitational - startHeight_) +
-         sample.dissipated - sample.work;
+  return mechanical(sample.stored) + sample.dissipated - sample.work;
 }
 
 Ledger EnergyWatch::ledger(const EnergySample& sample) {
   check(sample);
   Ledger ledger{.kinetic = sample.stored.kinetic,
-                .elastic = sample.stored.elastic,
-                .gravitational = sample.stored.gravitational - startHeight_,
-                .work = sample.work,
                 .dissipated = sample.dissipated,
                 .scale = alarm_.scale(),
                 .storedRise = alarm_.storedRise(),
                 .balanceRise = alarm_.balanceRise(),
                 .maxStretch = maxStretch_};
+  const StoredEnergy energy = sample.stored.since(start_);
+  for (std::size_t k = 0; k < kStores.count; ++k) ledger.stored.add(kStores.list[k].name, energy.stored[k]);
+  ledger.work.add("pushes", sample.work);
   if (followsLedger_ && ledger.scale > 0) ledger.drift = (sum(sample) - startSum_) / ledger.scale;
   return ledger;
 }
@@ -44,8 +42,8 @@ void EnergyWatch::followLedger(bool on, const EnergySample& sample) {
   followsLedger_ = on;
 }
 
-void EnergyWatch::begin(const Scene& scene, const Sheet& sheet, double startHeight, const StoredEnergy& now) {
-  startHeight_ = startHeight;
+void EnergyWatch::begin(const Scene& scene, const Sheet& sheet, const StoredEnergy& start, const StoredEnergy& now) {
+  start_ = start;
   alarm_ = makeAlarm(scene, sheet, now);
 }
 

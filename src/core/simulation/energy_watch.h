@@ -22,8 +22,8 @@ class EnergyWatch {
   /// `start`: the energies of the start shape. `followsLedger`: whether what is dissipated is followed from there.
   EnergyWatch(const Scene& scene, const Sheet& sheet, const StoredEnergy& start, bool followsLedger)
       : alarm_(makeAlarm(scene, sheet, start)),
-        startHeight_(start.gravitational),
-        startSum_(start.kinetic + start.elastic),
+        start_(start),
+        startSum_(start.withNaturalZero()),
         followsLedger_(followsLedger) {}
 
   /// An energy check: moves the alarm and the largest stretch.
@@ -38,13 +38,11 @@ class EnergyWatch {
   void followLedger(bool on, const EnergySample& sample);
   [[nodiscard]] bool followsLedger() const { return followsLedger_; }
 
-  /// Elastic and gravitational energy, J.
-  [[nodiscard]] double potential(const StoredEnergy& energy) const {
-    return energy.elastic + energy.gravitational - startHeight_;
-  }
-  /// The live parameters have changed: gravitational energy counts from `startHeight` (J), and the alarm learns anew
-  /// what a large energy is from the energies now.
-  void begin(const Scene& scene, const Sheet& sheet, double startHeight, const StoredEnergy& now);
+  /// Kinetic and all that is stored, J.
+  [[nodiscard]] double mechanical(const StoredEnergy& energy) const { return energy.since(start_).sum(); }
+  /// The live parameters have changed: what has no natural zero counts from `start`, the energies of the start shape as
+  /// they would be now, and the alarm learns anew what a large energy is from the energies now.
+  void begin(const Scene& scene, const Sheet& sheet, const StoredEnergy& start, const StoredEnergy& now);
 
   /// The steps have become too short to go on at all, at this time (s).
   void giveUp(double time);
@@ -61,7 +59,7 @@ class EnergyWatch {
   double alarmTime_ = std::numeric_limits<double>::quiet_NaN();
   bool gaveUp_ = false;
   double maxStretch_ = 0;
-  double startHeight_;  // J, gravitational energy of the start shape
+  StoredEnergy start_;  // of the start shape
   double startSum_;     // J, of the ledger
   bool followsLedger_;
 };

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/forces/term.h"
+
 namespace tyg {
 namespace {
 
@@ -61,7 +63,8 @@ void Pushes::applyTo(Backend& backend) const {
 
 double Pushes::forcing(const Scene& scene, const Sheet& sheet) const {
   const double mass = sheet.particleMass;
-  double root = std::sqrt(sheet.count() * mass * dot(scene.gravity, scene.gravity));
+  const Vec3 steady = steadyForce(scene);
+  double root = std::sqrt(sheet.count() * dot(steady, steady) / mass);
   for (const Push& push : pushes_) {
     if (push.acting) root += std::sqrt(dot(push.force, push.force) / mass);  // a sum is no longer than its vectors
   }

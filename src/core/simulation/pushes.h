@@ -28,7 +28,7 @@ class Pushes {
   bool switchAt(const Instant& now, const Backend& backend);
   /// Gives the backend the pushes that act now, in place of those that it had.
   void applyTo(Backend& backend) const;
-  /// The largest sum over the particles of |F|^2 / m that gravity and the acting pushes can make, J/s2.
+  /// The largest sum over the particles of |F|^2 / m that steady forces and the acting pushes can make, J/s2.
   [[nodiscard]] double forcing(const Scene& scene, const Sheet& sheet) const;
 
   /// The work of all pushes so far: force times the distance moved, J.

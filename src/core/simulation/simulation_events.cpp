@@ -39,8 +39,8 @@ void Simulation::Impl::perform(const StepEvent& change, std::span<const Method> 
   run.clock.useStep(change.dt);
 }
 
-/// Gravitational energy counts from the start shape, and the alarm learns anew what a large energy is: the energy that
-/// the change itself adds is not an error of the method, and counts as work.
+/// What has no natural zero counts from the start shape, and the alarm learns anew what a large energy is: the energy
+/// that the change itself adds is not an error of the method, and counts as work.
 void Simulation::Impl::perform(const WorldEvent& change, std::span<const Method> /*methods*/) {
   const Parameter* parameter = findParameter(change.parameter);
   if (parameter == nullptr) {
@@ -48,7 +48,7 @@ void Simulation::Impl::perform(const WorldEvent& change, std::span<const Method>
                                  joined(liveParameters(), &Parameter::key)));
   }
   const Vec3 before = parameter->get(scene);
-  const double potential = run.energies.potential(backend->energy());
+  const double mechanical = run.energies.mechanical(backend->energy());
   parameter->set(scene, change.value);
   try {
     backend->useLiveParameters();
@@ -58,8 +58,8 @@ void Simulation::Impl::perform(const WorldEvent& change, std::span<const Method>
   }
   forcing = run.pushes.forcing(scene, sheet);
   const StoredEnergy energy = backend->energy();
-  run.energies.begin(scene, sheet, backend->startHeight(), energy);
-  run.pushes.addWork(run.energies.potential(energy) - potential);
+  run.energies.begin(scene, sheet, backend->startEnergy(), energy);
+  run.pushes.addWork(run.energies.mechanical(energy) - mechanical);
   run.energies.check(sample());
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/forces/field_ops.h"
+#include "core/forces/term.h"
 #include "util/noise.h"
 
 namespace tyg {
@@ -17,12 +18,6 @@ namespace {
 /// touch, as those out of a flat sheet's plane, is found soon; the eigenvalue feels the square.
 constexpr double kMixed = 0.01;
 constexpr double kNothingNew = 1e-4;  // of a product outside the earlier ones: what is left is rounding
-
-/// Pull only: pushes and weight do not depend on the state, and would only be rounded.
-Scene withoutWeight(Scene scene) {
-  scene.gravity = {};
-  return scene;
-}
 
 /// Of all waves of the sheet at rest, 1/s.
 double mostDampedOf(const Lattice& lattice) {
@@ -39,7 +34,7 @@ LiveSpectrum<T>::LiveSpectrum(const Scene& scene, const Sheet& sheet, Workers& w
       reach_((sizeof(T) == sizeof(float) ? 1e-3 : 1e-6) * sheet.spacing),
       law_(scene.damping),
       lattice_(scene),
-      forces_(withoutWeight(scene), sheet, workers),
+      forces_(withoutSteadyForce(scene), sheet, workers),
       ofRow_(std::size_t(layout_.rows)) {
   for (Follower& follower : followers_) follower.direction = VectorField<T>(layout_);
   for (VectorField<T>* field : {&force_, &position_, &velocity_}) *field = VectorField<T>(layout_);
@@ -53,7 +48,7 @@ LiveSpectrum<T>::LiveSpectrum(const Scene& scene, const Sheet& sheet, Workers& w
 
 template <class T>
 void LiveSpectrum<T>::useParameters(const Scene& scene) {
-  forces_.useParameters(withoutWeight(scene));
+  forces_.useParameters(withoutSteadyForce(scene));  // which no state changes, and which would only be rounded
   lattice_ = Lattice(scene);
   mostDamped_ = mostDampedOf(lattice_);
   isStarted_ = false;

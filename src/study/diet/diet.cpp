@@ -52,7 +52,7 @@ DietRow dietRow(const Changed& changed, const Reference& reference, double judge
   row.within = judged > 0 && row.lost.rms <= plan.within;
   row.maxStretch = motion.ledger.maxStretch;
   row.sag = sagOf(motion.positions.back());
-  row.energy = motion.ledger.kinetic + motion.ledger.elastic + motion.ledger.gravitational;
+  row.energy = motion.ledger.mechanical();
   return row;
 }
 

@@ -30,7 +30,7 @@ void addFamily(const Scene& scene, Family family, std::string_view name, std::ve
     return;
   }
   const SpringFamily& springs = familyOf(scene, family);
-  const double weight = scene.particleMass * length(scene.gravity);
+  const double weight = length(steadyForce(scene));
   const double pull = springs.ks * restLength(sheet, family);
   if (springs.ks > 0 && springs.kd == 0 && pull < kVisible * weight) {
     idle.push_back(

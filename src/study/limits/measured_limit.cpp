@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
+#include "core/forces/term.h"
 #include "tyg/simulation.h"
 #include "util/noise.h"
 
@@ -40,7 +42,7 @@ Outcome tried(double step, const Scene& scene, const Method& method, const Measu
 }  // namespace
 
 Scene linearRegime(Scene scene) {
-  scene.gravity = {};
+  scene = withoutSteadyForce(std::move(scene));
   scene.pushes.clear();
   scene.displacements.clear();
   scene.precision = Precision::Double;

@@ -57,7 +57,7 @@ SampledMotion sampledRun(const Scene& scene, const Method& method, const std::ve
     motion.times.push_back(time);
     motion.positions.push_back(positionsOf(simulation));
     const Ledger ledger = simulation.ledger();
-    motion.energies.push_back(ledger.kinetic + ledger.elastic + ledger.gravitational);
+    motion.energies.push_back(ledger.mechanical());
     if (options.ledger) motion.energyDrift = std::max(motion.energyDrift, std::abs(ledger.drift));
   }
   motion.steps = simulation.steps();

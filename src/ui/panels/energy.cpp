@@ -10,8 +10,12 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "core/forces/term.h"
 #include "ui/panels/paragraph.h"
 #include "ui/panels/running_plot.h"
 #include "viewer/power_flow.h"
@@ -21,8 +25,30 @@ namespace tyg {
 namespace {
 
 constexpr double kWindow = 10;  // s, simulated
-enum Channel : std::size_t { Kinetic, Elastic, Gravitational, Dissipated, Work, Drift, kChannels };
-constexpr std::array<const char*, 5> kNames{"kinetic", "elastic", "gravitational", "dissipated", "work of pushes"};
+/// The channels of the samples; what is stored and the work done have one for each entry of a ledger.
+enum Channel : std::size_t { Kinetic, Dissipated, Drift, Stored, Work = Stored + Energies::kMost };
+constexpr std::size_t kChannels = Work + Energies::kMost;
+
+/// One of the energies that are plotted and named.
+struct Amount {
+  std::string name;
+  std::string_view holder;  ///< what has it, or does it: named in the bond graph
+  std::size_t channel = 0;
+  double joules = 0;
+};
+std::vector<Amount> amountsOf(const Ledger& ledger) {
+  std::vector<Amount> amounts{{"kinetic", "masses", Kinetic, ledger.kinetic}};
+  std::size_t channel = Stored;
+  for (const EnergyStore& store : energyStores()) {
+    amounts.push_back({std::string(store.name), store.holder, channel++, ledger.stored[store.name]});
+  }
+  amounts.push_back({"dissipated", "dampers", Dissipated, ledger.dissipated});
+  channel = Work;
+  for (const Energies::Entry& entry : ledger.work) {
+    amounts.push_back({fmt::format("work of {}", entry.name), entry.name, channel++, entry.joules});
+  }
+  return amounts;
+}
 
 class EnergyPanel final : public Panel {
  public:
@@ -35,9 +61,9 @@ class EnergyPanel final : public Panel {
     ledger_ = viewer.run().ledger();
     if (newest < since_) since_ = time, before_ = ledger_.dissipated;
     ledger_.dissipated -= before_;
-    const std::array<float, kChannels> values{float(ledger_.kinetic),       float(ledger_.elastic),
-                                              float(ledger_.gravitational), float(ledger_.dissipated),
-                                              float(ledger_.work),          float(ledger_.drift)};
+    std::array<float, kChannels> values{};
+    for (const Amount& amount : amountsOf(ledger_)) values.at(amount.channel) = float(amount.joules);
+    values[Drift] = float(ledger_.drift);
     series_.add(time, values);
   }
 
@@ -49,18 +75,19 @@ class EnergyPanel final : public Panel {
   }
 
   void draw(const PanelScope& scope) override {
-    std::array<RunningCurve, kNames.size()> curves;
-    for (std::size_t k = 0; k < curves.size(); ++k) {
-      curves.at(k) = {.name = kNames.at(k), .channel = k, .colour = seriesColour(k, scope.background)};
+    const std::vector<Amount> amounts = amountsOf(ledger_);
+    std::vector<RunningCurve> curves;
+    for (const Amount& amount : amounts) {
+      curves.push_back({amount.name, amount.channel, seriesColour(curves.size(), scope.background)});
     }
     runningPlot(scope, {"energy", "J", kPlotHeight * scope.size}, series_, curves);
-    names(scope);
+    names(scope, amounts);
     const std::array drift{RunningCurve{.name = "drift", .channel = Drift, .colour = scope.colours.text, .scale = 100}};
     runningPlot(scope, {"drift of their sum", "% of the largest energy", kDriftHeight * scope.size, kLeastDrift},
                 series_, drift);
     if (since_ == kNever) return paragraph("Nothing is counted while the cloth has failed.", scope.colours.dim);
     if (since_ > 0) paragraph(fmt::format("Dissipation and drift count from {:.2f} s.", since_), scope.colours.dim);
-    bonds(scope);
+    bonds(scope, amounts);
   }
 
  private:
@@ -83,23 +110,25 @@ class EnergyPanel final : public Panel {
     return powerBetween(ledgerAt(before), ledgerAt(now), seconds);
   }
   [[nodiscard]] Ledger ledgerAt(std::size_t k) const {
-    Ledger ledger;
-    ledger.kinetic = double(series_.value(k, Kinetic)), ledger.elastic = double(series_.value(k, Elastic));
-    ledger.gravitational = double(series_.value(k, Gravitational));
-    ledger.dissipated = double(series_.value(k, Dissipated)), ledger.work = double(series_.value(k, Work));
+    const auto value = [&](std::size_t channel) { return double(series_.value(k, channel)); };
+    Ledger ledger{.kinetic = value(Kinetic), .dissipated = value(Dissipated)};
+    std::size_t channel = Stored;
+    for (const EnergyStore& store : energyStores()) ledger.stored.add(store.name, value(channel++));
+    channel = Work;
+    for (const Energies::Entry& entry : ledger_.work) ledger.work.add(entry.name, value(channel++));
     return ledger;
   }
 
-  void names(const PanelScope& scope) const {
-    const std::array now{ledger_.kinetic, ledger_.elastic, ledger_.gravitational, ledger_.dissipated, ledger_.work};
+  void names(const PanelScope& scope, std::span<const Amount> amounts) const {
     if (!ImGui::BeginTable("energies", 2, ImGuiTableFlags_SizingStretchSame)) return;
-    for (std::size_t k = 0; k < kNames.size(); ++k) {
+    for (std::size_t k = 0; k < amounts.size(); ++k) {
+      const Amount& amount = amounts[k];
       ImGui::TableNextColumn();
       ImGui::PushStyleColor(ImGuiCol_Text, seriesColour(k, scope.background));
-      if (k == Dissipated && !counted(scope)) {
-        ImGui::Text("%s -", kNames.at(k));
+      if (amount.channel == Dissipated && !counted(scope)) {
+        ImGui::Text("%s -", amount.name.c_str());
       } else {
-        ImGui::Text("%s %.3g J", kNames.at(k), now.at(k));
+        ImGui::Text("%s %.3g J", amount.name.c_str(), amount.joules);
       }
       ImGui::PopStyleColor();
     }
@@ -108,40 +137,47 @@ class EnergyPanel final : public Panel {
     ImGui::EndTable();
   }
 
-  /// The bond graph: two sources at the left, the masses in the middle, springs and dampers at the right.
-  void bonds(const PanelScope& scope) {
+  /// The bond graph: sources at the left, the masses in the middle, springs and dampers at the right.
+  void bonds(const PanelScope& scope, std::span<const Amount> amounts) {
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = std::ceil(kGraphHeight * scope.size);
     ImGui::Dummy({width, height});
     const std::optional<PowerFlow> known = flow(scope);
-    const PowerFlow flow = known.value_or(PowerFlow{});
-    most_ = std::max({std::abs(flow.gravity), std::abs(flow.pushes), std::abs(flow.springs), std::abs(flow.dampers),
-                      0.98 * most_, 1e-9});
+    const PowerFlow flow = known.value_or(powerBetween(ledger_, ledger_, 1));
+    most_ = std::max(0.98 * most_, 1e-9);
+    for (const std::span<const PowerFlow::Bond> side : {flow.sources(), flow.sinks()}) {
+      for (const PowerFlow::Bond& each : side) most_ = std::max(most_, std::abs(each.watts));
+    }
     const float half = 2.6F * scope.size;
     const ImVec2 masses{origin.x + width / 2, origin.y + height / 2};
-    const auto at = [&](bool right, bool low) {
-      return ImVec2{right ? origin.x + width - half : origin.x + half, origin.y + (low ? 0.82F : 0.18F) * height};
+    const auto named = [&](ImVec2 middle, std::string_view name) {
+      const auto amount = std::ranges::find(amounts, name, &Amount::holder);
+      node(scope, middle, half, *amount, seriesColour(std::size_t(amount - amounts.begin()), scope.background));
     };
-    const bool told = known.has_value();
-    bond(scope, at(false, false), masses, {flow.gravity, true, told});
-    bond(scope, at(false, true), masses, {flow.pushes, false, told});
-    bond(scope, masses, at(true, false), {flow.springs, true, told});
-    bond(scope, masses, at(true, true), {flow.dampers, false, told});
-    node(scope, at(false, false), half, "gravity", scope.colours.dim);
-    node(scope, at(false, true), half, "pushes", seriesColour(Work, scope.background));
-    node(scope, at(true, false), half, "springs", seriesColour(Elastic, scope.background));
-    node(scope, at(true, true), half, "dampers", seriesColour(Dissipated, scope.background));
-    node(scope, masses, half, "masses", seriesColour(Kinetic, scope.background));
+    const auto draw = [&](std::span<const PowerFlow::Bond> side, bool driving) {
+      for (std::size_t k = 0; k < side.size(); ++k) {
+        const float share = side.size() > 1 ? 0.18F + 0.64F * float(k) / float(side.size() - 1) : 0.5F;
+        const ImVec2 at{driving ? origin.x + half : origin.x + width - half, origin.y + share * height};
+        const Power power{side[k].watts, share < 0.5F, known.has_value()};
+        driving ? bond(scope, at, masses, power) : bond(scope, masses, at, power);
+        named(at, side[k].name);
+      }
+    };
+    draw(flow.sources(), true);
+    draw(flow.sinks(), false);
+    named(masses, "masses");
   }
 
-  static void node(const PanelScope& scope, ImVec2 middle, float half, const char* name, Colour colour) {
+  /// A box with what has this energy, in the colour of the energy's curve.
+  static void node(const PanelScope& scope, ImVec2 middle, float half, const Amount& amount, Colour colour) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float tall = 0.85F * scope.size;
     const ImVec2 low{middle.x - half, middle.y - tall}, high{middle.x + half, middle.y + tall};
     list.AddRectFilled(low, high, scope.colours.field, 0.4F * scope.size);
     list.AddRect(low, high, colour, 0.4F * scope.size, 0, 2);
-    const ImVec2 extent = ImGui::CalcTextSize(name);
-    list.AddText({middle.x - extent.x / 2, middle.y - extent.y / 2}, scope.colours.text, name);
+    const std::string name(amount.holder);
+    const ImVec2 extent = ImGui::CalcTextSize(name.c_str());
+    list.AddText({middle.x - extent.x / 2, middle.y - extent.y / 2}, scope.colours.text, name.c_str());
   }
 
   struct Power {

@@ -10,4 +10,7 @@ namespace tyg {
 
 using AllTerms = TermList<StructuralSprings, ShearSprings, BendSprings, Gravity, Drag>;
 
+/// What these terms store energy in.
+inline constexpr auto kStores = AllTerms::stores();
+
 }  // namespace tyg

@@ -30,7 +30,9 @@ struct Drag {
   /// Power that is taken from the particles of one row, W.
   template <class Row>
   static double powerIn(const Row& row, const Numbers<double>& numbers) {
-    return numbers.drag > 0 ? 2 * numbers.drag * row.halfSquaresOfVelocity() : 0;
+    if (!(numbers.drag > 0)) return 0;
+    return numbers.drag * row.sumOverParticles(
+                              [](const auto& /*position*/, const auto& velocity) { return dotOf(velocity, velocity); });
   }
 };
 

@@ -20,6 +20,10 @@ constexpr std::array kParameters{Parameter{.key = "world.gravity",
 
 }  // namespace
 
-constinit const ForceTerm Gravity::kTerm{.name = "gravity", .parameters = kParameters, .mayBeLeftOut = false};
+constinit const ForceTerm Gravity::kTerm{
+    .name = "gravity", .parameters = kParameters, .mayBeLeftOut = false, .steadyForce = [](const Scene& scene) {
+      const double mass = scene.particleMass;
+      return Vec3{mass * scene.gravity.x, mass * scene.gravity.y, mass * scene.gravity.z};
+    }};
 
 }  // namespace tyg

@@ -1,7 +1,6 @@
 // Gravity: the same force on every particle, added before pinned particles are taken out.
 #pragma once
 
-#include "core/forces/stored_energy.h"
 #include "core/forces/terms/term_list.h"
 #include "tyg/sheet.h"
 
@@ -23,13 +22,14 @@ struct Gravity {
     return {{T(mass * scene.gravity.x), T(mass * scene.gravity.y), T(mass * scene.gravity.z)}};
   }
 
-  static constexpr double StoredEnergy::*kStored = &StoredEnergy::gravitational;
+  static constexpr EnergyStore kStore{.name = "gravitational", .holder = "gravity", .startsAtZero = true};
   /// Energy of the particles of one row, J.
   template <class Row>
   static double storedIn(const Row& row, const Numbers<double>& numbers) {
     const double(&weight)[3] = numbers.weight;
-    return -row.sumOverPositions(
-        [&](const auto& at) { return (weight[0] * at.x + weight[1] * at.y) + weight[2] * at.z; });
+    return -row.sumOverParticles([&](const auto& position, const auto& /*velocity*/) {
+      return (weight[0] * position.x + weight[1] * position.y) + weight[2] * position.z;
+    });
   }
 };
 

@@ -25,6 +25,7 @@ const SpringFamily& familyOf(const Scene& scene, Family family);
 template <Family family>
 struct Springs {
   static constexpr TermPlace kPlace = TermPlace::Springs;
+  static constexpr EnergyStore kStore{.name = "elastic", .holder = "springs"};
   static const ForceTerm kTerm;
 
   template <class T>

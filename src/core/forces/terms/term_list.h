@@ -2,6 +2,9 @@
 // Must not know: any term.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <string_view>
 #include <type_traits>
 
 namespace tyg {
@@ -12,6 +15,26 @@ enum class TermPlace {
   Always,     ///< added to every sum of springs, zero or not
   Particles,  ///< where a row is finished: addTo() changes the force on a particle
   Cells,      ///< where a row's springs are gathered: cornerForce() is added to each corner of the cell below right
+};
+
+/// A form of energy that terms store in the sheet. Terms that name the same one share its sum.
+struct EnergyStore {
+  std::string_view name;      ///< of the energy, as people read it: `elastic`
+  std::string_view holder;    ///< what stores it: `springs`
+  bool startsAtZero = false;  ///< it has no natural zero, and counts from the shape at the start of a run
+};
+
+template <std::size_t most>
+struct EnergyStores {
+  std::array<EnergyStore, most> list{};
+  std::size_t count = 0;
+
+  /// Its place in the list; `count` where it is not there.
+  [[nodiscard]] constexpr std::size_t indexOf(const EnergyStore& store) const {
+    std::size_t index = 0;
+    while (index < count && list[index].name != store.name) ++index;
+    return index;
+  }
 };
 
 template <class... Term>
@@ -26,6 +49,17 @@ struct TermList {
   template <class Visit>
   [[gnu::always_inline]] static constexpr void forEach([[maybe_unused]] const Visit& visit) {
     (visit.template operator()<Term>(), ...);
+  }
+
+  /// The stores of these terms, each once, in order.
+  static consteval EnergyStores<sizeof...(Term)> stores() {
+    EnergyStores<sizeof...(Term)> all;
+    forEach([&]<class Each>() {
+      if constexpr (requires { Each::kStore; }) {
+        if (all.indexOf(Each::kStore) == all.count) all.list[all.count++] = Each::kStore;
+      }
+    });
+    return all;
   }
 
   /// How many terms there are of a place: each has a bit, in order.
