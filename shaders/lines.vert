@@ -10,6 +10,7 @@ uniform float focal;              // pixels per metre at a distance of one metre
 uniform float nearest;            // distance at which lines are cut, m
 uniform float width;              // pixels, at the distance `middle`
 uniform float spacing;            // m between neighbouring lines of the mesh; 0: not a mesh, never thinned
+uniform float sideBySide;         // how many lines of the mesh lie beside each other where it is narrowest
 uniform float middle;             // distance to the middle of the cloth, m
 uniform float sideways;           // pixels to draw the line beside where it lies (two families may lie in one line)
 uniform int colouring;            // 0: one colour, 1: by the numbers of the particles, 2: by the lines' strain
@@ -58,7 +59,8 @@ void main() {
 
   float depth = corner.x < 0.5 ? -a.z : -b.z;
   float wanted = width * clamp(middle / depth, 0.8, 1.5);  // nearer is a little wider
-  if (spacing > 0.0) wanted = min(wanted, kDensest * spacing * focal / depth);
+  // Dense lines are thinned, but all of them together are still to be seen as one line.
+  if (spacing > 0.0) wanted = min(wanted, max(kDensest * spacing * focal / depth, width / sideBySide));
   float drawn = max(wanted, kThinnest);
   opacity = min(wanted / drawn, 1.0);
   halfWidth = drawn / 2;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -26,16 +27,39 @@ glm::vec3 finiteOr(const glm::vec3& v, const glm::vec3& otherwise) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) ? v : otherwise;
 }
 
-/// How far points reach beyond a frustum's side planes of these slopes, as seen along one axis pair.
-struct Reach {
-  float low = -std::numeric_limits<float>::infinity(), high = -std::numeric_limits<float>::infinity();
-  void include(float across, float depth, float slope) {
-    low = std::max(low, -across - slope * depth);
-    high = std::max(high, across - slope * depth);
-  }
-  [[nodiscard]] float eyeAcross() const { return (high - low) / 2; }
-  [[nodiscard]] float eyeDepth(float slope) const { return -(high + low) / (2 * slope); }
+/// A point as one pair of a frustum's side planes sees it, m.
+struct Seen {
+  float across = 0, depth = 0;
 };
+
+/// How far points reach beyond a frustum's side planes of this slope, as seen along one axis pair.
+struct Reach {
+  float slope = 1;
+  float low = -std::numeric_limits<float>::infinity(), high = -std::numeric_limits<float>::infinity();
+  void include(const Seen& p) {
+    low = std::max(low, -p.across - slope * p.depth);
+    high = std::max(high, p.across - slope * p.depth);
+  }
+  /// The least depth of an eye that has all points between the planes.
+  [[nodiscard]] float eyeDepth() const { return -(high + low) / (2 * slope); }
+};
+
+/// Where across an eye at depth `back`, which is less than eyeDepth(), has as much space left of the points as right of
+/// them. That difference falls as the eye moves right, so that halving finds where it is 0.
+float middleAcross(std::span<const Seen> points, const Reach& reach, float back) {
+  float left = reach.high + reach.slope * back, right = -reach.low - reach.slope * back;
+  constexpr int kHalvings = 24;  // to the last bit of a float
+  for (int k = 0; k < kHalvings; ++k) {
+    const float middle = (left + right) / 2;
+    float least = std::numeric_limits<float>::infinity(), most = -least;
+    for (const Seen& p : points) {
+      const float slope = (p.across - middle) / (p.depth - back);
+      least = std::min(least, slope), most = std::max(most, slope);
+    }
+    (least + most > 0 ? left : right) = middle;
+  }
+  return (left + right) / 2;
+}
 
 }  // namespace
 
@@ -70,36 +94,20 @@ void Camera::frame(std::span<const glm::vec3> points, float aspect, float aside)
   const float slopeY = std::tan(fieldOfView_ / 2) / kMargin;
   const float slopeX = slopeY * (aspect > 0 && std::isfinite(aspect) ? aspect : 1.0F);
   const float slant = slopeOf(aside);
-  Reach x, y;
+  Reach x{.slope = slopeX}, y{.slope = slopeY};
+  std::vector<Seen> alongX, alongY;
   for (const glm::vec3& p : points) {
     const float depth = glm::dot(p, forward());
-    x.include(glm::dot(p, right()) - slant * depth, depth, slopeX);
-    y.include(glm::dot(p, up()), depth, slopeY);
-  }
-  if (!finite(x.eyeAcross(), y.eyeAcross())) {
-    return;
+    alongX.push_back({glm::dot(p, right()) - slant * depth, depth});
+    alongY.push_back({glm::dot(p, up()), depth});
+    x.include(alongX.back()), y.include(alongY.back());
   }
   // A cloth without extent still gets some space around it.
-  const float back = std::min(x.eyeDepth(slopeX), y.eyeDepth(slopeY)) - 0.05F * cloth_.size();
-  const float across = x.eyeAcross() + slant * back;
-  eye_ = finiteOr(across * right() + y.eyeAcross() * up() + back * forward(), eye_);
-  centre(points, slant);
+  const float back = std::min(x.eyeDepth(), y.eyeDepth()) - 0.05F * cloth_.size();
+  if (points.empty() || !std::isfinite(back)) return;
+  const float across = middleAcross(alongX, x, back) + slant * back, high = middleAcross(alongY, y, back);
+  eye_ = finiteOr(across * right() + high * up() + back * forward(), eye_);
   keepInReach();
-}
-
-void Camera::centre(std::span<const glm::vec3> points, float slant) {
-  // The axis that did not decide the distance has space to spare; a few rounds share it out evenly on both sides.
-  for (int round = 0; round < 6; ++round) {
-    glm::vec2 low(1e9F), high(-1e9F);
-    for (const glm::vec3& p : points) {
-      const glm::vec3 away = p - eye_;
-      const glm::vec2 seen = glm::vec2(glm::dot(away, right()), glm::dot(away, up())) /
-                             std::max(glm::dot(away, forward()), 0.01F * cloth_.size());
-      low = glm::min(low, seen), high = glm::max(high, seen);
-    }
-    const glm::vec2 shift = distance() * (0.5F * (low + high) - glm::vec2(slant, 0));
-    eye_ = finiteOr(eye_ + shift.x * right() + shift.y * up(), eye_);
-  }
 }
 
 void Camera::lookAlong(float yaw, float pitch) {

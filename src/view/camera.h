@@ -61,7 +61,6 @@ class Camera {
   [[nodiscard]] float farthest() const;
 
  private:
-  void centre(std::span<const glm::vec3> points, float slant);
   [[nodiscard]] float slopeOf(float heights) const;
   void keepInReach();
 

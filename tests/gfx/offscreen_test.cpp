@@ -221,6 +221,54 @@ TEST_P(OffscreenPicture, SurvivesPositionsThatAreNotNumbersAndAnEyeInsideTheClot
   for (std::size_t i = 3; i < picture.rgba.size(); i += 4) ASSERT_EQ(picture.rgba[i], 255);
 }
 
+constexpr glm::ivec2 kSmall(128, 80);
+
+/// The share of the picture's width or height, whichever is more, over which a cloth at its start can be seen.
+double shareSeen(Offscreen& context, const Sheet& sheet) {
+  std::vector<float> xyz;
+  for (int i = 0; i < sheet.count(); ++i) {
+    const Vec3 p = sheet.startPosition(i);
+    xyz.insert(xyz.end(), {float(p.x), float(p.y), float(p.z)});
+  }
+  Camera camera;
+  camera.frame(boxAround(xyz), float(kSmall.x) / float(kSmall.y));
+  SheetRenderer renderer(sheet);
+  DrawOptions options;
+  options.ground = options.pins = false;
+  const auto pictureWith = [&](bool cloth) {
+    options.structural = cloth;
+    renderer.draw(xyz, camera, kSmall, options, std::nullopt);
+    return context.readPixels();
+  };
+  const Picture empty = pictureWith(false), seen = pictureWith(true);
+  glm::ivec2 low = kSmall, high(-1, -1);
+  for (int y = 0; y < kSmall.y; ++y) {
+    for (int x = 0; x < kSmall.x; ++x) {
+      const std::size_t i = 4 * (std::size_t(y * kSmall.x + x);
+      if (seen.rgba[i + 2] - empty.rgba[i + 2] < 24) continue;
+      low = glm::min(low, glm::ivec2(x, y)), high = glm::max(high, glm::ivec2(x, y));
+    }
+  }
+  return std::max(double(high.x - low.x + 1) / kSmall.x, double(high.y - low.y + 1) / kSmall.y);
+}
+
+TEST(SheetRenderer, ShowsEveryShapeOfClothInAFairShareOfThePicture) {
+  const auto context = makeOffscreen(kSmall.x, kSmall.y);
+  std::vector<glm::ivec2> shapes{{500, 1}, {1, 500}, {4096, 1}, {1, 4096}, {2000, 2}, {3, 1000}};
+  for (int columns = 1; columns <= 40; ++columns) {
+    for (int rows = 1; rows <= 40; ++rows) shapes.emplace_back(columns, rows);
+  }
+  for (const glm::ivec2 shape : shapes) {
+    for (const Start start : {Start::Flat, Start::Hanging}) {
+      Sheet sheet;
+      sheet.columns = shape.x, sheet.rows = shape.y, sheet.start = start;
+      const double least = sheet.count() == 1 ? 0.01 : 0.5;  // a single particle is a disc
+      EXPECT_GE(shareSeen(*context, sheet), least)
+          << shape.x << "x" << shape.y << (start == Start::Flat ? " flat" : "");
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Every, OffscreenPicture, testing::ValuesIn(offscreenKinds().begin(), offscreenKinds().end()),
                          [](const auto& kind) { return std::string(nameOf(kind.param)); });
 

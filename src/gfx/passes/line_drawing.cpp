@@ -44,6 +44,7 @@ void LineDrawing::draw(const Frame& frame, const Positions& positions, const Lin
   program_.set("nearest", frame.camera.nearest());
   program_.set("width", style.width);
   program_.set("sideways", style.sideways);
+  program_.set("sideBySide", static_cast<float>(style.sideBySide));
   glBindVertexArray(nothing_.name());
   bindTexture(EndsUnit, ends.texture());
   bindTexture(PointsUnit, positions.texture());

@@ -36,6 +36,7 @@ struct LineStyle {
   float width = 1;     ///< pixels
   float sideways = 0;  ///< pixels from where the line lies to where it is drawn
   float opacity = 1;   ///< 0..1
+  int sideBySide = 1;  ///< of a mesh: how many lines lie beside each other where it is narrowest
   LineColours colours{};
 };
 

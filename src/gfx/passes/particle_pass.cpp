@@ -12,7 +12,8 @@ ParticlePass::ParticlePass(const Canvas& canvas) : canvas_(canvas) {
 void ParticlePass::draw(const Frame& frame) {
   const Sheet& sheet = canvas_.sheet;
   glBindVertexArray(canvas_.positions.vertices());
-  if (frame.options.particles) {
+  const bool alone = sheet.count() == 1 && frame.options.structural;  // without a line by which it would be seen
+  if (frame.options.particles || alone) {
     const Shading shading{frame.palette.particle, kMeshFade, static_cast<float>(sheet.spacing)};
     canvas_.discs.use(frame, {.shading = shading, .diameter = 5, .least = 1.5F});
     glDrawArrays(GL_POINTS, 0, sheet.count());
