@@ -244,7 +244,7 @@ double shareSeen(Offscreen& context, const Sheet& sheet) {
   glm::ivec2 low = kSmall, high(-1, -1);
   for (int y = 0; y < kSmall.y; ++y) {
     for (int x = 0; x < kSmall.x; ++x) {
-      const std::size_t i = 4 * (std::size_t(y * kSmall.x + x);
+      const auto i = 4 * std::size_t(y * kSmall.x + x);
       if (seen.rgba[i + 2] - empty.rgba[i + 2] < 24) continue;
       low = glm::min(low, glm::ivec2(x, y)), high = glm::max(high, glm::ivec2(x, y));
     }
