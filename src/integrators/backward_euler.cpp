@@ -6,6 +6,8 @@
 #include <Eigen/LU>
 
 #include "core/forces/term.h"
+
+#include <algorithm>
 #include "integrators/make.h"
 #include "integrators/spring_list.h"
 

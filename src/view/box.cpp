@@ -1,6 +1,7 @@
 // Coordinates too large to be squared are left out like those that are not finite.
 #include "view/box.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tyg {

@@ -1,6 +1,7 @@
 // One pass over the sheet in window coordinates, which keeps one row back to make the cells between two rows.
 #include "view/picking.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>

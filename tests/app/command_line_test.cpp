@@ -1,5 +1,7 @@
 // Which command is meant, help, and exit codes.
 #include "app/program.h"
+
+#include <algorithm>
 #include "tyg/methods.h"
 #include "tyg/scene.h"
 

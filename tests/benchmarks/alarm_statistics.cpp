@@ -1,6 +1,7 @@
 // How often the energy alarm is wrong: random cloths, every method, steps on both sides of the limit, and beside each
 // run an accurate one that says whether it was spoiled. Prints tables. Not a test: minutes long.
 //   build/release/tests/alarm_statistics [CLOTHS=200]
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <charconv>

@@ -3,6 +3,7 @@
 //   build/release/tests/scaling [--quick] [--out DIR]     CSV files and charts; three minutes on a quiet machine
 #include "scaling.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstring>

@@ -1,6 +1,8 @@
 // The place in the row kernel for terms of whole cells, tried with a term that no scene has.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/forces/row_energy.h"
 #include "core/forces/row_forces.h"
 #include "core/forces/state.h"

@@ -1,6 +1,7 @@
 // The sheet at rest: start shapes, names of particles, springs as pairs.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>

@@ -1,6 +1,8 @@
 // A moving simulation that is edited, saved, restored and replayed: nothing of the past may leak into a step.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "method_checks.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"

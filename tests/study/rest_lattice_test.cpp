@@ -1,6 +1,8 @@
 // The step limit of a sheet at rest against the closed form of its fastest wave.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "study/limits/stability.h"
 #include "test_systems.h"
 #include "tyg/methods.h"

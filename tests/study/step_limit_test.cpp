@@ -1,6 +1,8 @@
 // The step limits of finite sheets, the bound for any deformation, and what is said about them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/spectrum/rest_spectrum.h"
 #include "study/limits/stability.h"
 #include "test_systems.h"

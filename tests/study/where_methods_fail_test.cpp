@@ -2,6 +2,7 @@
 // regions. A new method is tested by being in the table.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <complex>
 #include <functional>

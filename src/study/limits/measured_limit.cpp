@@ -2,6 +2,7 @@
 // one has failed, then by halving what lies between them.
 #include "study/limits/measured_limit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
