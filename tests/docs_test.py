@@ -32,8 +32,9 @@ class Truth:
         self.methods = {method["name"] for method in listed["methods"]}
         commands = re.search(r"a command \(([^)]*)\)", self.run("no-such-command").stderr).group(1).split(", ")
         helps = {command: self.run(command, "--help").stdout for command in commands}
-        self.options = {command: set(re.findall(r"^  (--[a-z-]+)", text, re.M)) | {"--help"}
-                        for command, text in helps.items()}
+        named = {command: re.findall(r"^  (--[a-z-]+)(?:,(--[a-z-]+))?", text, re.M) for command, text in helps.items()}
+        self.options = {command: {name for names in pairs for name in names if name} | {"--help"}
+                        for command, pairs in named.items()}
         self.shared = set.intersection(*(options for command, options in self.options.items() if command != "list"))
         self.json_keys = set(json.loads(self.run("run", "spring", "--duration", "0.1", "--json").stdout))
         self.json_keys |= {key for entries in listed.values() for entry in entries for key in entry}

@@ -57,6 +57,9 @@ struct Push {
 /// The most columns and the most rows of a sheet.
 inline constexpr int kLargestCount = 4096;
 
+/// Steps of dt that a run may have at most: more would not end, and could not be counted.
+inline constexpr double kMostSteps = 1e15;
+
 /// The contents of a scene file. Defaults are those of an empty world; the reader refuses what it does not know.
 struct Scene {
   std::string name;   ///< of the built-in scene, or the path of the file

@@ -2,6 +2,8 @@
 // them. Third of the headers to read. Must not know: the moving state, forces, methods.
 #pragma once
 
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "tyg/scene.h"
@@ -26,6 +28,8 @@ struct Sheet {
 /// The sheet of a scene. Throws InputError where a pin lies outside.
 Sheet makeSheet(const Scene& scene);
 
+/// The names of single particles: `top-left` and so on.
+std::span<const std::string_view> particleNames();
 /// The index of the one particle that `place` names. Throws InputError for an unknown name, a set, or a place outside.
 int particleAt(const Sheet& sheet, const Place& place);
 /// The indices that `place` names: one particle, or a set (`top`, `left`, `corners`). Throws InputError.

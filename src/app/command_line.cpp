@@ -1,6 +1,5 @@
 // Understands the command line with CLI11, runs the chosen command, and turns every failure into one message.
 #include "app/command_line.h"
-#include "util/text.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -13,6 +12,8 @@
 
 #include "app/commands/commands.h"
 #include "app/output/exit_code.h"
+#include "util/suggestion.h"
+#include "util/text.h"
 
 namespace tyg {
 namespace {
@@ -54,38 +55,32 @@ void insertView(const CLI::App& app, std::vector<std::string>& words) {
   if (isWord && !isBuiltin(first) && !first.ends_with(".toml") && !std::filesystem::exists(first, ignored)) {
     std::vector<std::string> scenes;
     for (const BuiltinScene& scene : builtinScenes()) scenes.emplace_back(scene.name);
+    std::vector<std::string> both = commands;
+    both.insert(both.end(), scenes.begin(), scenes.end());
     throw InputError("found '" + first + "', which is neither a command (" + joined(commands) + ") nor a scene (" +
-                     joined(scenes) + ", or the path of a .toml file)");
+                     joined(scenes) + ", or the path of a .toml file)" + didYouMean(first, both));
   }
   words.insert(words.begin(), "view");
 }
 
-std::string whatIsAllowed(const CLI::App& command) {
+std::vector<std::string> optionNames(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
     names.push_back(option->get_positional() ? option->get_name(true) : "--" + option->get_lnames().front());
   }
-  return joined(names);
+  return names;
 }
 
-/// An option among what could not be placed; empty where there is none.
-std::string unknownOption(const CLI::App& command) {
-  const std::vector<std::string> left = command.remaining(true);
-  const auto found = std::ranges::find_if(left, [](const std::string& word) { return word.starts_with("-"); });
-  return found == left.end() ? std::string() : *found;
-}
-
-/// CLI11 says what is wrong; this adds what is allowed and where it is explained. It complains of a missing SCENE
-/// before it complains of an unknown option, which is what the person sees.
+/// CLI11 says what is wrong; this adds what is allowed and where it is explained.
 int explain(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   const CLI::App& command = chosen.empty() ? app : *chosen.front();
   const std::string name = chosen.empty() ? "tyg" : "tyg " + command.get_name();
-  const bool missing = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError);
-  const std::string unknown = missing ? unknownOption(command) : std::string();
-  std::cerr << name << ": " << (unknown.empty() ? error.what() : "The following argument was not expected: " + unknown);
-  if (!unknown.empty() || error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
-    std::cerr << "\nAllowed: " << whatIsAllowed(command);
+  std::cerr << name << ": " << error.what();
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
+    const std::vector<std::string> names = optionNames(command), left = command.remaining(true);
+    const auto unknown = std::ranges::find_if(left, [](const std::string& word) { return word.starts_with("-"); });
+    std::cerr << "\nAllowed: " << joined(names) << (unknown == left.end() ? "" : didYouMean(*unknown, names));
   }
   std::cerr << "\nTry: " << name << " --help" << std::endl;
   return kWrongInput;

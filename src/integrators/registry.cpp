@@ -5,6 +5,7 @@
 
 #include "core/simulation/integrator.h"
 #include "tyg/methods.h"
+#include "util/suggestion.h"
 #include "util/text.h"
 
 namespace tyg {
@@ -44,7 +45,8 @@ const Method& findMethod(std::string_view name, std::string_view key) {
   for (const Method& method : methods()) {
     if (method.name == name) return method;
   }
-  throw InputError(std::string(key) + ": found \"" + std::string(name) + "\", allowed: " + joined(methodNames()));
+  throw InputError(std::string(key) + ": found \"" + std::string(name) + "\", allowed: " + joined(methodNames()) +
+                   didYouMean(name, methodNames()));
 }
 
 void refuseUnfit(const Method& method, const Scene& scene) { (void)method.makeDouble(scene, makeSheet(scene)); }

@@ -20,17 +20,27 @@ struct Unit {
   double worth;
 };
 
-double parsed(const std::string& option, const std::string& text, std::span<const Unit> units,
-              const std::string& allowed) {
+/// What a kind of amount may look like.
+struct Form {
+  std::span<const Unit> units;
+  std::string_view kind;
+  std::string_view written;  ///< how it is written
+  Zero zero = Zero::Refused;
+};
+
+double parsed(const std::string& option, const std::string& text, const Form& form) {
   double number = 0;
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, number);
   const std::string_view unit(stop, static_cast<std::size_t>(end - stop));
-  const auto found = std::ranges::find(units, unit, &Unit::name);
-  if (error != std::errc() || found == units.end() || !(number > 0) || !std::isfinite(number * found->worth)) {
-    throw InputError(option + ": found '" + text + "', allowed is a number above 0 with " + allowed);
-  }
-  return number * found->worth;
+  const auto found = std::ranges::find(form.units, unit, &Unit::name);
+  const bool known = error == std::errc() && found != form.units.end();
+  const double amount = known ? number * found->worth : 0;
+  const bool inRange =
+      std::isfinite(amount) && (amount > 0 || (amount == 0 && number == 0 && form.zero == Zero::Allowed));
+  if (known && inRange) return amount;
+  throw InputError(fmt::format("{}: found '{}', allowed is a finite {} {} 0{}", option, text, form.kind,
+                               form.zero == Zero::Allowed ? "of at least" : "above", form.written));
 }
 
 /// Three significant digits without an exponent where that is short.
@@ -41,13 +51,26 @@ std::string three(double number) {
 }  // namespace
 
 double parseLength(const std::string& option, const std::string& text, double size) {
-  const std::array<Unit, 5> units{{{"um", 1e-6}, {"mm", 1e-3}, {"cm", 1e-2}, {"m", 1}, {"%", size / 100}}};
-  return parsed(option, text, units, "um, mm, cm, m or % (of the sheet's larger side), such as 5mm or 1%");
+  const std::array<Unit, 7> units{
+      {{"", 1}, {"um", 1e-6}, {"µm", 1e-6}, {"mm", 1e-3}, {"cm", 1e-2}, {"m", 1}, {"%", size / 100}}};
+  return parsed(
+      option, text,
+      {units, "length", ": metres, or a number with um, mm, cm, m or % (of the sheet's larger side), such as 5mm"});
 }
 
-double parseTime(const std::string& option, const std::string& text) {
-  const std::array<Unit, 3> units{{{"us", 1e-6}, {"ms", 1e-3}, {"s", 1}}};
-  return parsed(option, text, units, "us, ms or s, such as 4ms");
+double parseTime(const std::string& option, const std::string& text, Zero zero) {
+  constexpr std::array<Unit, 5> kUnits{{{"", 1}, {"us", 1e-6}, {"µs", 1e-6}, {"ms", 1e-3}, {"s", 1}}};
+  return parsed(option, text, {kUnits, "time", ": seconds, or a number with us, ms or s, such as 4ms", zero});
+}
+
+double parseShare(const std::string& option, const std::string& text) {
+  constexpr std::array<Unit, 2> kUnits{{{"", 1}, {"%", 0.01}}};
+  return parsed(option, text, {kUnits, "share", ": a number, or a number with %, such as 5%"});
+}
+
+double parseNumber(const std::string& option, const std::string& text) {
+  constexpr std::array<Unit, 1> kUnits{{{"", 1}}};
+  return parsed(option, text, {kUnits, "number", ""});
 }
 
 std::string lengthText(double metres) {

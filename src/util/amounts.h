@@ -1,4 +1,4 @@
-// Amounts with units as people type them: 5mm, 1%, 4ms.
+// Amounts with units as people type them: 5mm, 1%, 4ms. A number alone is in metres or seconds.
 // Must not know: what they are for.
 #pragma once
 
@@ -6,10 +6,16 @@
 
 namespace tyg {
 
-/// A length in m: a number and um, mm, cm or m, or % of `size` (m). Throws InputError that names the `option`.
+enum class Zero { Refused, Allowed };
+/// A length above 0 in m: a number and um, mm, cm, m or nothing, or % of `size` (m). Throws InputError that names the
+/// `option`.
 double parseLength(const std::string& option, const std::string& text, double size);
-/// A time in s: a number and us, ms or s. Throws InputError.
-double parseTime(const std::string& option, const std::string& text);
+/// A time in s: a number and us, ms, s or nothing. Throws InputError.
+double parseTime(const std::string& option, const std::string& text, Zero zero = Zero::Refused);
+/// A share above 0: a number, or a number and %. Throws InputError.
+double parseShare(const std::string& option, const std::string& text);
+/// A number above 0 without a unit. Throws InputError.
+double parseNumber(const std::string& option, const std::string& text);
 
 /// A length for people, three significant digits: `0.0345 mm`, `28 mm`, `1.2 m`; `unknown` where it is not finite.
 std::string lengthText(double metres);

@@ -40,7 +40,8 @@ TEST(Advise, ABudgetThatNothingMeetsIsAnsweredWithTheNearest) {
 }
 
 TEST(Advise, WrongRequestsAreRefused) {
-  for (const char* wrong : {"", "--error 1mm --budget 4ms", "--error 1", "--budget 4", "--budget 4mm", "--error 1ms"}) {
+  for (const char* wrong :
+       {"", "--error 1mm --budget 4ms", "--error -1", "--budget 4m", "--budget 4mm", "--error 1ms"}) {
     const Outcome outcome = tyg(std::string("advise curtain ") + wrong);
     EXPECT_EQ(outcome.code, 2) << wrong;
     EXPECT_TRUE(holds(outcome.err, "allowed is")) << outcome.err;

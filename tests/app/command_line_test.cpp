@@ -37,7 +37,7 @@ TEST(CommandLine, HelpOfRunExplainsEveryOption) {
 TEST(CommandLine, HelpOfPlotExplainsEveryOption) {
   const Outcome help = tyg("plot --help");
   std::vector<std::string> options = kSceneOptions;
-  options.insert(options.end(), {"--particles", "--methods", "--out"});
+  options.insert(options.end(), {"--particles", "--out"});
   for (const std::string& option : options) EXPECT_TRUE(holds(help.out, "  " + option)) << option;
 }
 
@@ -80,10 +80,42 @@ TEST(CommandLine, AnUnknownOptionIsNamedEvenWhereTheSceneIsMissing) {
   }
 }
 
-TEST(CommandLine, AMissingSceneIsRefused) {
-  const Outcome outcome = tyg("run");
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_TRUE(holds(outcome.err, "SCENE"));
+TEST(CommandLine, WithoutASceneACommandTakesTheCurtain) {
+  const Outcome outcome = tyg("run --duration 10ms --json");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(jsonValue(outcome.out, "scene"), "\"curtain\"");
+}
+
+TEST(CommandLine, AmountsHaveUnitsAndANumberAloneIsInSecondsOrMetres) {
+  const std::string run = "run curtain --integrator dopri54 --json ";
+  const Outcome plain = tyg(run + "--duration 0.02 --tolerance 1.9e-3");
+  const Outcome units = tyg(run + "--duration 20ms --tolerance 1.9mm");
+  const Outcome share = tyg(run + "--duration 20ms --tolerance 0.1%");  // of 1.9 m
+  EXPECT_EQ(plain.code, 0) << plain.err;
+  EXPECT_EQ(jsonValue(units.out, "hash"), jsonValue(plain.out, "hash"));
+  EXPECT_EQ(jsonValue(share.out, "hash"), jsonValue(plain.out, "hash"));
+}
+
+TEST(CommandLine, WordsThatAreNearlyRightAreAnsweredWithTheRightOne) {
+  for (const auto& [typed, meant] : {std::pair{"run curtian", "'curtain'"},
+                                     {"curtian", "'curtain'"},
+                                     {"stabilty", "'stability'"},
+                                     {"run --integrator leap-frog", "'leapfrog'"},
+                                     {"run --integrater rk4", "'--integrator'"},
+                                     {"run --precision dubble", "'double'"},
+                                     {"plot --particles midle", "'middle'"}}) {
+    const Outcome outcome = tyg(typed);
+    EXPECT_EQ(outcome.code, 2) << typed;
+    EXPECT_TRUE(holds(outcome.err, std::string("did you mean ") + meant)) << outcome.err;
+  }
+}
+
+TEST(CommandLine, MethodsIsAnotherNameOfIntegrator) {
+  const Outcome one = tyg("run spring --integrator leapfrog --json"),
+                other = tyg("run spring --methods leapfrog --json");
+  EXPECT_EQ(other.code, 0) << other.err;
+  EXPECT_EQ(jsonValue(one.out, "hash"), jsonValue(other.out, "hash"));
+  EXPECT_EQ(tyg("run spring --integrator leapfrog,rk4").code, 2);
 }
 
 struct Wrong {
@@ -96,7 +128,8 @@ TEST(CommandLine, WrongValuesAreRefusedWithWhatWasFoundAndWhatIsAllowed) {
       {"--dt 0", {"--dt", "'0'", "above 0"}},
       {"--dt nan", {"--dt", "'nan'", "finite"}},
       {"--dt 1e999", {"--dt", "'1e999'"}},
-      {"--dt 2ms", {"--dt", "'2ms'", "seconds"}},
+      {"--dt 2mm", {"--dt", "'2mm'", "seconds"}},
+      {"--dt 1e-300", {"--dt", "1e-300", "steps"}},
       {"--duration -1", {"--duration", "'-1'", "above 0"}},
       {"--tolerance inf", {"--tolerance", "'inf'", "metres"}},
       {"--threads 0", {"--threads", "'0'", "from 1"}},

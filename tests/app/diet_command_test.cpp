@@ -60,7 +60,7 @@ TEST(DietCommand, AToleranceBelowWhatRoundingMakesIsRefusedWithTheReason) {
 }
 
 TEST(DietCommand, WrongTolerancesAreRefused) {
-  for (const char* wrong : {"5", "-1mm", "mm", "0%", "5 mm", "1e999m"}) {
+  for (const char* wrong : {"5s", "-1mm", "mm", "0%", "5 mm", "1e999m"}) {
     const Outcome outcome = tyg(std::string("diet curtain --within '") + wrong + "'");
     EXPECT_EQ(outcome.code, 2) << wrong;
     EXPECT_TRUE(holds(outcome.err, "allowed")) << outcome.err;

@@ -22,18 +22,36 @@ TEST(Amounts, OfTimeAreReadInSeconds) {
   EXPECT_DOUBLE_EQ(parseTime("--budget", "4ms"), 0.004);
   EXPECT_DOUBLE_EQ(parseTime("--budget", "1.5s"), 1.5);
   EXPECT_DOUBLE_EQ(parseTime("--budget", "70us"), 70e-6);
+  EXPECT_DOUBLE_EQ(parseTime("--at", "0", Zero::Allowed), 0);
+  EXPECT_DOUBLE_EQ(parseTime("--at", "0ms", Zero::Allowed), 0);
 }
 
-TEST(Amounts, ThatAreNotANumberAboveZeroWithAUnitAreRefused) {
-  for (const char* text : {"", "5", "mm", "5 mm", "5mmm", "0mm", "-1mm", "nanmm", "infmm", "1e308cm1", "5ms"}) {
+TEST(Amounts, WithoutAUnitAreInMetresAndSeconds) {
+  EXPECT_EQ(parseLength("--within", "0.005", 2), 0.005);
+  EXPECT_EQ(parseTime("--dt", "2e-3"), 2e-3);
+}
+
+TEST(Amounts, ThatAreSharesAreNumbersOrPercentages) {
+  EXPECT_DOUBLE_EQ(parseShare("--error-range", "5%"), 0.05);
+  EXPECT_DOUBLE_EQ(parseShare("--ui-scale", "1.5"), 1.5);
+  EXPECT_EQ(parseNumber("--fps", "30"), 30);
+  EXPECT_THROW(parseNumber("--fps", "30%"), InputError);
+}
+
+TEST(Amounts, ThatAreNotANumberAboveZeroWithAKnownUnitAreRefused) {
+  for (const char* text : {"", "mm", "5 mm", "5mmm", "0", "0mm", "-1mm", "nanmm", "infmm", "1e308cm1", "5ms"}) {
     EXPECT_THROW(parseLength("--within", text, 2), InputError) << text;
   }
-  for (const char* text : {"", "4", "4m", "-4ms", "0s", "4%"}) EXPECT_THROW(parseTime("--budget", text), InputError);
+  for (const char* text : {"", "4m", "-4ms", "0s", "4%", "1e-320us", "1e400"}) {
+    EXPECT_THROW(parseTime("--budget", text), InputError) << text;
+  }
+  EXPECT_THROW(parseTime("--at", "-1", Zero::Allowed), InputError);
   try {
     parseTime("--budget", "4m");
     FAIL();
   } catch (const InputError& refusal) {
-    EXPECT_STREQ(refusal.what(), "--budget: found '4m', allowed is a number above 0 with us, ms or s, such as 4ms");
+    EXPECT_STREQ(refusal.what(),
+                 "--budget: found '4m', allowed is a finite time above 0: seconds, or a number with us, ms or s, such as 4ms");
   }
 }
 

@@ -73,9 +73,7 @@ Advice advised(const AdviseOptions& options, const Scene& scene, const Request& 
   CostMeter meter(scene, 1, calibrationClock);
   AdvicePlan plan;
   plan.request = request;
-  for (const Method& method : methods()) {
-    if (!options.scene.integrator || method.name == *options.scene.integrator) plan.methods.push_back(&method);
-  }
+  plan.methods = chosenMethods(options.scene);
   if (options.scene.precision) plan.precisions = {scene.precision};
   plan.threads = threadChoices(options, scene);
   plan.cost = [&](const Scene& priced, int threads) { return meter.secondsPerUnit(priced, threads); };
@@ -106,7 +104,7 @@ void addAdviseCommand(CLI::App& app, Action& action) {
   Command command(app, "advise",
                   "The cheapest method, step, precision and threads for an error or a time budget, with proof");
   const auto options = std::make_shared<AdviseOptions>();
-  addSceneOptions(command, options->scene);
+  addSceneOptions(command, options->scene, MethodCount::Several, "all");
   command.option("--error", options->error, "The largest error allowed: a length, or % of the sheet's size")
       .typeName("1mm|1%");
   command.option("--budget", options->budget, "The computing time allowed for each frame of 1/60 s").typeName("4ms");

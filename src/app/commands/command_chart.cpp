@@ -1,6 +1,5 @@
 // `tyg chart`: speed against accuracy, every method on one chart.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <iostream>
 #include <memory>
@@ -16,6 +15,7 @@
 #include "app/reports/chart_report.h"
 #include "study/work/work_precision.h"
 #include "tyg/methods.h"
+#include "util/amounts.h"
 #include "util/calibration_clock.h"
 #include "util/interrupt.h"
 #include "util/machine.h"
@@ -31,7 +31,7 @@ constexpr double kRunBudget = 1, kQuickRunBudget = 0.1;  // s
 
 struct ChartOptions {
   SceneOptions scene;
-  std::string methods, errorRange, sheets, compare, out = "out";
+  std::string errorRange, sheets, compare, out = "out";
   std::optional<double> horizon;
   bool quick = false;
 };
@@ -54,18 +54,12 @@ by Ctrl-C.)";
 
 std::optional<ErrorRange> chosenRange(const std::string& text) {
   if (text.empty()) return std::nullopt;
-  ErrorRange range;
-  const char *end = text.data() + text.size(), *colon = std::find(text.data(), end, ':');
-  const auto isNumber = [](const char* first, const char* last, double& value) {
-    const auto [stop, error] = std::from_chars(first, last, value);
-    return error == std::errc() && stop == last && std::isfinite(value) && value > 0;
-  };
-  if (colon == end || !isNumber(text.data(), colon, range.lowest) || !isNumber(colon + 1, end, range.highest) ||
-      range.lowest >= range.highest) {
-    throw InputError("--error-range: found '" + text +
-                     "', allowed are two fractions of the sheet's size above 0, the smaller first, such as 1e-6:1e-2");
-  }
-  return range;
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  const std::string lowest = text.substr(0, colon), highest = text.substr(std::min(colon + 1, text.size()));
+  const ErrorRange range{parseShare("--error-range", lowest), parseShare("--error-range", highest)};
+  if (range.lowest < range.highest) return range;
+  throw InputError("--error-range: found '" + text +
+                   "', allowed are two shares of the sheet's size, the smaller first, such as 1e-6:1e-2 or 0.1%:1%");
 }
 
 std::vector<Grid> chosenSheets(const Scene& scene, const std::string& list) {
@@ -127,7 +121,7 @@ class Charting {
 
   Study study(const Reference& reference, const std::optional<ErrorRange>& range) {
     StudyPlan plan;
-    plan.methods = chosenMethods(options_.methods, options_.scene);
+    plan.methods = chosenMethods(options_.scene);
     if (options_.scene.precision) plan.precisions = {scene_.precision};
     plan.runBudget = budget();
     plan.lowestError = range ? range->lowest * reference.size : 0;
@@ -172,7 +166,7 @@ WorkChart chartOf(const Reference& reference, const Study& study, const Charting
 int chart(const ChartOptions& options) {
   Scene scene = chosenScene(options.scene);
   if (options.horizon) scene.duration = std::min(scene.duration, *options.horizon);
-  chosenMethods(options.methods, options.scene);
+  chosenMethods(options.scene);
   const std::optional<ErrorRange> range = chosenRange(options.errorRange);
   const std::vector<Grid> grids = chosenSheets(scene, options.sheets);
   const Earlier earlier = readEarlier(scene, options.compare);
@@ -231,15 +225,16 @@ int chart(const ChartOptions& options) {
 void addChartCommand(CLI::App& app, Action& action) {
   Command command(app, "chart", "Speed against accuracy: every method's error and cost on one chart");
   const auto options = std::make_shared<ChartOptions>();
-  addSceneOptions(command, options->scene);
-  command.option("--methods", options->methods, "Which methods (tyg list shows them) [all]").typeName("NAME,...");
+  addSceneOptions(command, options->scene, MethodCount::Several, "all");
   command
       .option("--error-range", options->errorRange,
-              "Draw only errors between these fractions of the sheet's size, and stop below them [all errors]")
+              "Draw only errors between these shares of the sheet's size, and stop below them [all errors]")
       .typeName("A:B");
-  command.option("--horizon", options->horizon, "Simulate and compare only the first S seconds [the whole scene]")
-      .typeName("S")
-      .check([](const std::string& text) { return checkPositive(text, "seconds, such as 0.5"); });
+  command
+      .amount(
+          "--horizon", options->horizon, [](const std::string& text) { return parseTime("--horizon", text); },
+          "Simulate and compare only the first part of the scene, such as 0.5s [the whole scene]")
+      .typeName("TIME");
   command
       .option("--sheets", options->sheets,
               "Finer sheets of the same cloth; a line on the chart shows how far away the last one is")

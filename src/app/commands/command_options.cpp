@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tyg/input_error.h"
+
 namespace tyg {
 
 CommandOption& CommandOption::check(const OptionCheck& check) {
@@ -20,19 +22,12 @@ CommandOption& CommandOption::group(const std::string& heading) {
   return *this;
 }
 
-CommandOption& CommandOption::required(bool required) {
-  option_->required(required);
-  return *this;
-}
-
 CommandOption& CommandOption::excludes(const CommandOption& other) {
   option_->excludes(other.option_);
   return *this;
 }
 
 bool CommandOption::given() const { return option_->count() > 0; }
-
-void CommandOption::refuseMissing() const { throw CLI::RequiredError(option_->get_name(true)); }
 
 Command::Command(CLI::App& app, const std::string& name, const std::string& description)
     : app_(app.add_subcommand(name, description)) {}
@@ -49,8 +44,16 @@ CommandOption Command::option(const std::string& name, std::optional<std::string
   return CommandOption(app_->add_option(name, value, help));
 }
 
-CommandOption Command::option(const std::string& name, std::optional<double>& value, const std::string& help) {
-  return CommandOption(app_->add_option(name, value, help));
+CommandOption Command::amount(const std::string& name, std::optional<double>& value,
+                              const std::function<double(const std::string&)>& read, const std::string& help) {
+  const auto take = [&value, read](const std::string& text) {
+    try {
+      value = read(text);
+    } catch (const InputError& refusal) {
+      throw CLI::ValidationError(refusal.what());
+    }
+  };
+  return CommandOption(app_->add_option_function<std::string>(name, take, help));
 }
 
 CommandOption Command::option(const std::string& name, std::optional<int>& value, const std::string& help) {

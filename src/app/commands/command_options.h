@@ -27,14 +27,11 @@ class CommandOption {
   CommandOption& typeName(const std::string& name);
   /// The heading of the help under which the option is listed.
   CommandOption& group(const std::string& heading);
-  CommandOption& required(bool required);
   /// The two may not be given together.
   CommandOption& excludes(const CommandOption& other);
 
   /// Whether the command line has it. Known once the command line is read.
   [[nodiscard]] bool given() const;
-  /// Ends the reading of the command line with the message that this option is missing.
-  [[noreturn]] void refuseMissing() const;
 
  private:
   CLI::Option* option_;
@@ -49,7 +46,9 @@ class Command {
   CommandOption option(const std::string& name, std::string& value, const std::string& help);
   CommandOption option(const std::string& name, int& value, const std::string& help);
   CommandOption option(const std::string& name, std::optional<std::string>& value, const std::string& help);
-  CommandOption option(const std::string& name, std::optional<double>& value, const std::string& help);
+  /// An amount that `read` makes of the text; the InputError that it throws is the refusal.
+  CommandOption amount(const std::string& name, std::optional<double>& value,
+                       const std::function<double(const std::string&)>& read, const std::string& help);
   CommandOption option(const std::string& name, std::optional<int>& value, const std::string& help);
   void flag(const std::string& name, bool& value, const std::string& help);
   /// An option that has been declared.

@@ -26,7 +26,7 @@ constexpr const char* kUsualMethods = "symplectic-euler,report-rk4,rk4";
 
 struct PlotOptions {
   SceneOptions scene;
-  std::string particles, methods, out = "out";
+  std::string particles, out = "out";
 };
 
 constexpr const char* kExamples =
@@ -52,7 +52,7 @@ std::vector<ChartedParticle> chosenParticles(const Scene& scene, const std::stri
 }
 
 TrajectoryStudy followed(const Scene& scene, const PlotOptions& options) {
-  const std::vector<const Method*> methods = chosenMethods(options.methods, options.scene, kUsualMethods);
+  const std::vector<const Method*> methods = chosenMethods(options.scene, kUsualMethods);
   Progress progress("tyg plot " + scene.name);
   return followParticles(scene, chosenParticles(scene, options.particles), methods, options.scene.threads.value_or(0),
                          [&](std::size_t run, double time) {
@@ -73,7 +73,7 @@ void sayWhatFailed(const TrajectoryStudy& study) {
 
 int plot(const PlotOptions& options) {
   const Scene scene = chosenScene(options.scene);
-  chosenMethods(options.methods, options.scene, kUsualMethods);
+  chosenMethods(options.scene, kUsualMethods);
   chosenParticles(scene, options.particles);
   const std::vector<std::string> files{"plot.csv", "plot.gp", "plot.svg", "plot.png"};
   const std::filesystem::path folder = preparedFolder(options.out, files);
@@ -92,15 +92,11 @@ int plot(const PlotOptions& options) {
 void addPlotCommand(CLI::App& app, Action& action) {
   Command command(app, "plot", "Chart x, y, z of chosen particles against time, by one or more methods");
   const auto options = std::make_shared<PlotOptions>();
-  addSceneOptions(command, options->scene);
+  addSceneOptions(command, options->scene, MethodCount::Several, kUsualMethods);
   command
       .option("--particles", options->particles,
               "Which particles: top-left, top-right, bottom-left, bottom-right, middle, or COLUMN:ROW; at most six "
               "[those that the scene displaces or pushes, else bottom-left and middle]")
-      .typeName("NAME,...");
-  command
-      .option("--methods", options->methods,
-              std::string("Which methods (tyg list shows them) [--integrator, else ") + kUsualMethods + "]")
       .typeName("NAME,...");
   command.option("--out", options->out, "Folder for plot.csv, plot.gp, plot.svg and plot.png [out]").typeName("DIR");
   command.footer(kExamples);

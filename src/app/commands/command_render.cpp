@@ -9,6 +9,7 @@
 #include "app/commands/option_checks.h"
 #include "app/output/render.h"
 #include "study/motion/telling_moment.h"
+#include "util/amounts.h"
 #include "util/file_names.h"
 
 namespace tyg {
@@ -81,15 +82,18 @@ void addRenderCommand(CLI::App& app, Action& action) {
   Command command(app, "render", "Draw a picture, a sequence or a movie, without a display");
   const auto options = std::make_shared<RenderOptions>();
   addSceneOptions(command, options->scene);
-  const auto time = [](const std::string& text) { return checkNotNegative(text, "seconds, such as 0.5"); };
-  command.option("--at", options->at, "One picture at this simulated time, s").typeName("S").check(time);
-  command.option("--from", options->from, "The simulated time of the first of several pictures, s [0]")
-      .typeName("S")
-      .check(time);
-  command.option("--to", options->to, "The simulated time of the last one, s [the end]").typeName("S").check(time);
-  command.option("--fps", options->fps, "Pictures per simulated second [30]")
-      .typeName("N")
-      .check([](const std::string& text) { return checkPositive(text, "pictures per second, such as 30"); });
+  const auto time = [](const char* option) {
+    return [=](const std::string& text) { return parseTime(option, text, Zero::Allowed); };
+  };
+  command.amount("--at", options->at, time("--at"), "One picture at this simulated time").typeName("TIME");
+  command.amount("--from", options->from, time("--from"), "The simulated time of the first of several pictures [0]")
+      .typeName("TIME");
+  command.amount("--to", options->to, time("--to"), "The simulated time of the last one [the end]").typeName("TIME");
+  command
+      .amount(
+          "--fps", options->fps, [](const std::string& text) { return parseNumber("--fps", text); },
+          "Pictures per simulated second [30]")
+      .typeName("N");
   command.option("--size", options->size, "Pixels of each picture, width x height [1280x720]")
       .typeName("WxH")
       .check([](const std::string& text) { return checkPair(text, kMostPixels, "pixels, such as 1280x720"); });

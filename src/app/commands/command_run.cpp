@@ -89,7 +89,8 @@ Scene fitted(Scene scene, const SceneOptions& options, const EventLog& log) {
   mustAgree("--dt", options.dt, log.dt, fmt::format("{:g} s", log.dt));
   if (!log.sceneText.empty()) {
     const double tolerance = loggedScene(log).tolerance;
-    mustAgree("--tolerance", options.tolerance, tolerance, fmt::format("{:g} m", tolerance));
+    const std::optional<double> asked = options.tolerance ? std::optional(scene.tolerance) : std::nullopt;
+    mustAgree("--tolerance", asked, tolerance, fmt::format("{:g} m", tolerance));
     scene.tolerance = tolerance;
   }
   scene.precision = log.precision;
@@ -205,8 +206,7 @@ void addRunCommand(CLI::App& app, Action& action) {
   Command command(app, "run", "Simulate a scene without a window, and report energies, steps and time");
   const auto options = std::make_shared<RunOptions>();
   addSceneOptions(command, options->scene);
-  options->scene.scene.clear();
-  CommandOption scene = command.find("SCENE").required(false);
+  const CommandOption scene = command.find("SCENE");
   constexpr int kMostSamples = 1000000;
   CommandOption samples = command.option("--samples", options->samples,
                                          "Number of equally spaced sample times after t = 0, for --out [20]");
@@ -225,7 +225,7 @@ void addRunCommand(CLI::App& app, Action& action) {
   command.flag("--verbose", options->verbose, "First print on standard error what is simulated, and how");
   command.footer(kExamples);
   command.onChosen([options, scene, replay, &action] {
-    if (!scene.given() && !replay.given()) scene.refuseMissing();
+    if (!scene.given() && replay.given()) options->scene.scene.clear();  // the log's own
     action = [options] { return run(*options); };
   });
 }

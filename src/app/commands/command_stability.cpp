@@ -21,7 +21,7 @@ namespace {
 
 struct StabilityOptions {
   SceneOptions scene;
-  std::string methods, out = "out";
+  std::string out = "out";
 };
 
 constexpr const char* kExamples =
@@ -40,7 +40,7 @@ Exit codes: 0 done; 2 wrong input or usage; 130 interrupted by Ctrl-C, and nothi
 int stability(const StabilityOptions& options) {
   const Scene scene = chosenScene(options.scene);
   StabilityPlan plan;
-  plan.methods = chosenMethods(options.methods, options.scene);
+  plan.methods = chosenMethods(options.scene);
   plan.threads = options.scene.threads.value_or(defaultThreads(scene.columns * scene.rows));
   const std::vector<std::string> files{"stability.csv", "stability.gp", "stability.svg", "stability.png"};
   const std::filesystem::path folder = preparedFolder(options.out, files);
@@ -62,8 +62,7 @@ int stability(const StabilityOptions& options) {
 void addStabilityCommand(CLI::App& app, Action& action) {
   Command command(app, "stability", "Step limits: predicted, certified for any deformation, and measured");
   const auto options = std::make_shared<StabilityOptions>();
-  addSceneOptions(command, options->scene);
-  command.option("--methods", options->methods, "Which methods (tyg list shows them) [all]").typeName("NAME,...");
+  addSceneOptions(command, options->scene, MethodCount::Several, "all");
   command.option("--out", options->out, "Folder for stability.csv, .gp, .svg and .png [out]").typeName("DIR");
   command.footer(kExamples);
   command.onChosen([options, &action] { action = [options] { return stability(*options); }; });

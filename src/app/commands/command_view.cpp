@@ -11,6 +11,7 @@
 #include "app/output/exit_code.h"
 #include "app/output/render.h"
 #include "ui/frame_loop.h"
+#include "util/amounts.h"
 #include "util/calibration_clock.h"
 #include "util/interrupt.h"
 #include "util/whole_file.h"
@@ -23,7 +24,8 @@ constexpr int kMostPixels = 16384;
 
 struct ViewOptions {
   SceneOptions scene;
-  std::string window = "glfw", size = "1280x720", uiScale = "1";
+  std::string window = "glfw", size = "1280x720";
+  std::optional<double> uiScale;
   std::optional<std::string> log, record;
 };
 
@@ -31,7 +33,7 @@ FrameLoopOptions loopOptions(const ViewOptions& options) {
   const auto [width, height] = parsePair(options.size);
   return {.library = options.window == "glut" ? WindowLibrary::Glut : WindowLibrary::Glfw,
           .size = {.width = width, .height = height},
-          .uiScale = std::stod(options.uiScale),
+          .uiScale = options.uiScale.value_or(1),
           .log = options.log};
 }
 
@@ -76,11 +78,10 @@ int view(const ViewOptions& options) {
   return interrupted() ? kInterrupted : kDone;
 }
 
-std::string checkScale(const std::string& text) {
-  std::string complaint = checkPositive(text, "1 is the ordinary size of text, 1.5 half as much again");
-  if (!complaint.empty()) return complaint;
-  const double scale = std::stod(text);
-  return scale >= 0.25 && scale <= 8 ? "" : "found '" + text + "', allowed is a number from 0.25 to 8";
+double parseScale(const std::string& text) {
+  const double scale = parseShare("--ui-scale", text);
+  if (scale >= 0.25 && scale <= 8) return scale;
+  throw InputError("--ui-scale: found '" + text + "', allowed is a number from 0.25 to 8; 1 is the ordinary size");
 }
 
 }  // namespace
@@ -88,7 +89,7 @@ std::string checkScale(const std::string& text) {
 void addViewCommand(CLI::App& app, Action& action) {
   Command command(app, "view", "The window: space starts and pauses, a left click pushes the cloth, H shows the keys");
   auto options = std::make_shared<ViewOptions>();
-  addSceneOptions(command, options->scene, false);
+  addSceneOptions(command, options->scene);
   const auto size = [](const std::string& text) {
     return checkPair(text, kMostPixels, "width x height in pixels, such as 1280x720");
   };
@@ -98,8 +99,7 @@ void addViewCommand(CLI::App& app, Action& action) {
       })
       .typeName("glfw|glut");
   command.option("--size", options->size, "Pixels of the window [1280x720]").check(size).typeName("WxH");
-  command.option("--ui-scale", options->uiScale, "Size of the text, on top of the screen's own scale [1]")
-      .check(checkScale)
+  command.amount("--ui-scale", options->uiScale, parseScale, "Size of the text, on top of the screen's own scale [1]")
       .typeName("X");
   command.option("--log", options->log, "Write one CSV line a frame here, for scripts that watch the window")
       .typeName("FILE.csv");

@@ -21,23 +21,27 @@ class Command;
 /// It throws InputError for wrong input (exit code 2).
 using Action = std::function<int()>;
 
+/// Whether a command takes one method, or several with commas between.
+enum class MethodCount { One, Several };
+
 /// A scene and what the command line changes in it.
 struct SceneOptions {
   std::string scene = "curtain";
-  std::optional<std::string> integrator, precision, sheet;
-  std::optional<double> dt, tolerance, duration;
+  std::optional<std::string> integrator, tolerance, precision, sheet;
+  std::optional<double> dt, duration;  // s
   std::optional<int> threads;
+  MethodCount methods = MethodCount::One;
 };
 /// Adds SCENE and --integrator, --dt, --tolerance, --duration, --precision, --threads, --sheet to a command.
-/// `options` must live as long as `command`.
-void addSceneOptions(Command& command, SceneOptions& options, bool sceneRequired = true);
+/// `options` must live as long as `command`. `usual`: what the help says of the methods that are taken without
+/// --integrator.
+void addSceneOptions(Command& command, SceneOptions& options, MethodCount count = MethodCount::One,
+                     const std::string& usual = "the scene's");
 /// The scene with the overrides applied. Throws InputError.
 Scene chosenScene(const SceneOptions& options);
 Scene overridden(Scene scene, const SceneOptions& options);
-/// The methods that --methods names, each once; where it is empty the one of --integrator, else those of `usual`, else
-/// all. Throws InputError.
-std::vector<const Method*> chosenMethods(const std::string& list, const SceneOptions& options,
-                                         const std::string& usual = {});
+/// The methods that --integrator names, each once; without it those of `usual`, else all. Throws InputError.
+std::vector<const Method*> chosenMethods(const SceneOptions& options, const std::string& usual = {});
 
 // Each adds its subcommand to `app`; when it is chosen, `action` is set.
 void addViewCommand(CLI::App& app, Action& action);

@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "util/suggestion.h"
 #include "util/text.h"
 
 namespace tyg {
@@ -30,25 +31,13 @@ bool isCount(std::optional<int> number, int highest) { return number && *number 
 
 }  // namespace
 
-std::string checkPositive(const std::string& text, const std::string& meaning) {
-  const auto number = wholeTextAs<double>(text);
-  if (number && std::isfinite(*number) && *number > 0) return {};
-  return complaint(text, "a finite number above 0: " + meaning);
-}
-
-std::string checkNotNegative(const std::string& text, const std::string& meaning) {
-  const auto number = wholeTextAs<double>(text);
-  if (number && std::isfinite(*number) && *number >= 0) return {};
-  return complaint(text, "a finite number of at least 0: " + meaning);
-}
-
 std::string checkCount(const std::string& text, int highest, const std::string& meaning) {
   if (isCount(wholeTextAs<int>(text), highest)) return {};
   return complaint(text, fmt::format("a whole number from 1 to {}: {}", highest, meaning));
 }
 
 std::string checkOneOf(const std::string& text, const std::vector<std::string>& words) {
-  return std::ranges::find(words, text) != words.end() ? "" : complaint(text, joined(words));
+  return std::ranges::find(words, text) != words.end() ? "" : complaint(text, joined(words)) + didYouMean(text, words);
 }
 
 std::string checkPair(const std::string& text, int highest, const std::string& meaning) {

@@ -11,10 +11,6 @@ namespace tyg {
 // Each takes the text of a value and returns an empty text where it is good, else what is wrong with it: the shape that
 // CommandOption::check() wants.
 
-/// A finite number above 0. `meaning` completes "a number above 0", for example "seconds, such as 0.002".
-std::string checkPositive(const std::string& text, const std::string& meaning);
-/// A finite number of at least 0.
-std::string checkNotNegative(const std::string& text, const std::string& meaning);
 /// A whole number in [1, highest].
 std::string checkCount(const std::string& text, int highest, const std::string& meaning);
 /// One of these words.

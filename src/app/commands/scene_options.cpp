@@ -1,10 +1,13 @@
 // The options that every simulating command shares: which scene, and what the command line changes in it.
 #include <algorithm>
 
+#include <fmt/core.h>
+
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
 #include "tyg/methods.h"
+#include "util/amounts.h"
 #include "util/text.h"
 
 namespace tyg {
@@ -14,20 +17,16 @@ constexpr int kMostParticlesAlongASide = 4096;
 constexpr int kMostThreads = 1024;
 
 void addNumbers(Command& command, SceneOptions& options) {
-  const auto seconds = [](const std::string& text) { return checkPositive(text, "seconds, such as 0.002"); };
-  const auto metres = [](const std::string& text) { return checkPositive(text, "metres, such as 1e-4"); };
   const auto threads = [](const std::string& text) { return checkCount(text, kMostThreads, "threads"); };
-  command.option("--dt", options.dt, "Time step of a fixed-step method, in s [the scene's]")
-      .check(seconds)
-      .typeName("S")
+  const auto time = [](const char* option) { return [=](const std::string& text) { return parseTime(option, text); }; };
+  command.amount("--dt", options.dt, time("--dt"), "Time step of a fixed-step method, such as 2ms [the scene's]")
+      .typeName("TIME")
       .group("Scene");
-  command.option("--tolerance", options.tolerance, "Error that an adaptive method aims at, in m [the scene's]")
-      .check(metres)
-      .typeName("M")
+  command.option("--tolerance", options.tolerance, "Error that an adaptive method aims at, such as 0.1mm [the scene's]")
+      .typeName("LENGTH")
       .group("Scene");
-  command.option("--duration", options.duration, "Simulated time, in s [the scene's]")
-      .check(seconds)
-      .typeName("S")
+  command.amount("--duration", options.duration, time("--duration"), "Simulated time, such as 5s [the scene's]")
+      .typeName("TIME")
       .group("Scene");
   command
       .option(
@@ -41,14 +40,17 @@ void addNumbers(Command& command, SceneOptions& options) {
 
 }  // namespace
 
-void addSceneOptions(Command& command, SceneOptions& options, bool sceneRequired) {
-  CommandOption scene =
-      command.option("SCENE", options.scene,
-                     std::string("A built-in scene (tyg list shows them) or the path of a .toml file") +
-                         (sceneRequired ? "" : " [" + options.scene + "]"));
-  scene.required(sceneRequired).typeName("");
-  command.option("--integrator", options.integrator, "Method: " + joined(methodNames()) + " [the scene's]")
-      .typeName("NAME")
+void addSceneOptions(Command& command, SceneOptions& options, MethodCount count, const std::string& usual) {
+  command
+      .option("SCENE", options.scene,
+              "A built-in scene (tyg list shows them) or the path of a .toml file [" + options.scene + "]")
+      .typeName("");
+  const bool one = count == MethodCount::One;
+  options.methods = count;
+  command
+      .option("--integrator,--methods", options.integrator,
+              (one ? "Method: " : "Methods with commas between: ") + joined(methodNames()) + " [" + usual + "]")
+      .typeName(one ? "NAME" : "NAME,...")
       .group("Scene");
   addNumbers(command, options);
   command
@@ -77,24 +79,30 @@ Scene overridden(Scene scene, const SceneOptions& options) {
     const auto [columns, rows] = parsePair(*options.sheet);
     scene = withSheet(std::move(scene), columns, rows);
   }
-  if (options.integrator) scene.integrator = findMethod(*options.integrator).name;
+  const bool list = options.methods == MethodCount::Several && options.integrator &&
+                    options.integrator->find(',') != std::string::npos;
+  if (options.integrator && !list) scene.integrator = findMethod(*options.integrator, "--integrator").name;
   if (options.precision) scene.precision = *options.precision == "float" ? Precision::Float : Precision::Double;
+  if (options.tolerance) scene.tolerance = parseLength("--tolerance", *options.tolerance, makeSheet(scene).size());
   scene.dt = options.dt.value_or(scene.dt);
-  scene.tolerance = options.tolerance.value_or(scene.tolerance);
   scene.duration = options.duration.value_or(scene.duration);
+  if (scene.duration / scene.dt > kMostSteps) {
+    throw InputError(
+        fmt::format("--dt, --duration: found {:g} s and {:g} s, which make {:.3g} steps; allowed are up to {:g}",
+                    scene.dt, scene.duration, scene.duration / scene.dt, kMostSteps));
+  }
   return scene;
 }
 
-std::vector<const Method*> chosenMethods(const std::string& list, const SceneOptions& options,
-                                         const std::string& usual) {
-  const std::string names = list.empty() ? options.integrator.value_or(usual) : list;
+std::vector<const Method*> chosenMethods(const SceneOptions& options, const std::string& usual) {
+  const std::string names = options.integrator.value_or(usual);
   std::vector<const Method*> chosen;
   for (const std::string& name : splitList(names)) {
-    const Method* method = &findMethod(name, "--methods");
+    const Method* method = &findMethod(name, "--integrator");
     if (std::ranges::find(chosen, method) == chosen.end()) chosen.push_back(method);
   }
   if (!chosen.empty()) return chosen;
-  if (!names.empty()) throw InputError("--methods: found no name, allowed are methods' names with commas between");
+  if (!names.empty()) throw InputError("--integrator: found no name, allowed are methods' names with commas between");
   for (const Method& method : methods()) chosen.push_back(&method);
   return chosen;
 }

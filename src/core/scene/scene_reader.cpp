@@ -9,6 +9,7 @@
 #include "core/scene/term_keys.h"
 #include "tyg/scene.h"
 #include "tyg/sheet.h"
+#include "util/suggestion.h"
 #include "util/text.h"
 #include "util/whole_file.h"
 
@@ -102,6 +103,10 @@ void readRun(SceneTable table, Scene& scene, std::span<const std::string_view> m
   table.number("tolerance", scene.tolerance, Allowed::Positive);
   table.choice("precision", scene.precision, {"float", "double"});
   table.finish({"duration", "integrator", "dt"});
+  if (scene.duration / scene.dt > kMostSteps) {
+    table.refuse("dt", fmt::format("{:g} s, which makes {:.3g} steps", scene.dt, scene.duration / scene.dt),
+                 fmt::format("up to {:g} steps", kMostSteps));
+  }
 }
 
 /// The root is finished before its tables are read: a misspelt table is named, not what it seems to lack.
@@ -149,7 +154,8 @@ Scene loadScene(const std::string& nameOrPath, std::span<const std::string_view>
     if (scene.name == nameOrPath) return parseScene(scene.text, nameOrPath, methods);
   }
   const std::string allowed = "the path of a .toml file, or one of the built-in scenes " + builtinNames();
-  return parseScene(readWholeFile(nameOrPath, "cannot read the scene", allowed), nameOrPath, methods);
+  const std::string hint = didYouMean(nameOrPath, builtinScenes(), &BuiltinScene::name);
+  return parseScene(readWholeFile(nameOrPath, "cannot read the scene", allowed + hint), nameOrPath, methods);
 }
 
 }  // namespace tyg

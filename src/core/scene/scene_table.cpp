@@ -1,6 +1,7 @@
 // Reads and checks the values of one TOML table; every refusal says file, line, key, found and allowed.
 // Must not know: which keys a scene has.
 #include "core/scene/scene_table.h"
+#include "util/suggestion.h"
 #include "util/text.h"
 #include "util/utf8.h"
 
@@ -115,7 +116,10 @@ std::optional<std::size_t> SceneTable::oneOf(std::string_view key, std::span<con
   if (value == nullptr) return std::nullopt;
   if (!value->is_string()) refuseValue(*value);
   const auto found = std::find(names.begin(), names.end(), value->ref<std::string>());
-  if (found == names.end()) refuseValue(*value);
+  if (found == names.end()) {
+    asked_.back().allowed += didYouMean(value->ref<std::string>(), names);
+    refuseValue(*value);
+  }
   return static_cast<std::size_t>(found - names.begin());
 }
 
@@ -182,7 +186,8 @@ void SceneTable::finish(std::initializer_list<std::string_view> required) const 
   for (const Asked& asked : asked_) known.push_back(asked.key);
   for (const auto& [key, value] : *table_) {
     if (std::find(known.begin(), known.end(), key.str()) == known.end()) {
-      refuse(key.str(), value.is_table() ? "an unknown table" : "an unknown key", quoted(known));
+      refuse(key.str(), value.is_table() ? "an unknown table" : "an unknown key",
+             quoted(known) + didYouMean(key.str(), known));
     }
   }
   for (const Asked& asked : asked_) {

@@ -2,17 +2,20 @@
 // Must not know: the moving state, forces, methods.
 #include "tyg/sheet.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <string>
+
+#include "util/suggestion.h"
 
 namespace tyg {
 namespace {
 
-constexpr const char* kParticleNames = "\"top-left\", \"top-right\", \"bottom-left\", \"bottom-right\", \"middle\"";
-constexpr const char* kSetNames = "\"top\", \"left\", \"corners\"";
+constexpr std::array<std::string_view, 8> kNames{"top-left", "top-right", "bottom-left", "bottom-right",
+                                                 "middle",   "top",       "left",        "corners"};
+constexpr std::size_t kSingles = 5;  // of these names are of one particle, the others of sets
 
 int indexOf(const Sheet& sheet, int column, int row) { return row * sheet.columns + column; }
 
@@ -51,8 +54,9 @@ int numberedParticle(const Sheet& sheet, const Place& place) {
   return indexOf(sheet, place.column, place.row);
 }
 
-[[noreturn]] void refuseName(const Place& place, const std::string& allowed) {
-  throw InputError(fmt::format("found particle \"{}\", allowed {}, [column, row]", place.name, allowed));
+[[noreturn]] void refuseName(const Place& place, std::span<const std::string_view> names) {
+  throw InputError(fmt::format("found particle \"{}\", allowed \"{}\", [column, row]{}", place.name,
+                               fmt::join(names, "\", \""), didYouMean(place.name, names)));
 }
 
 /// A family's springs as steps on the grid: from (c, r) to (c + columns, r + rows).
@@ -97,10 +101,12 @@ Sheet makeSheet(const Scene& scene) {
   return sheet;
 }
 
+std::span<const std::string_view> particleNames() { return std::span(kNames).first(kSingles); }
+
 int particleAt(const Sheet& sheet, const Place& place) {
   if (place.name.empty()) return numberedParticle(sheet, place);
   const int particle = namedParticle(sheet, place.name);
-  if (particle < 0) refuseName(place, kParticleNames);
+  if (particle < 0) refuseName(place, particleNames());
   return particle;
 }
 
@@ -109,7 +115,7 @@ std::vector<int> particlesAt(const Sheet& sheet, const Place& place) {
   const int particle = namedParticle(sheet, place.name);
   if (particle >= 0) return {particle};
   std::vector<int> particles = namedSet(sheet, place.name);
-  if (particles.empty()) refuseName(place, std::string(kParticleNames) + ", " + kSetNames);
+  if (particles.empty()) refuseName(place, kNames);
   return particles;
 }
 

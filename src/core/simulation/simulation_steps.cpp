@@ -10,8 +10,7 @@
 namespace tyg {
 namespace {
 
-constexpr double kSameTime = 1e-9;   // of dt: stop times closer than this are one
-constexpr double kMostSteps = 1e15;  // of one run: more would not end, and could not be counted
+constexpr double kSameTime = 1e-9;  // of dt: stop times closer than this are one
 constexpr std::int64_t kStepsBetweenChecks = 64;
 
 /// Whether the method takes as much energy from fast waves as their damping does, about. A method that stays stable

@@ -7,7 +7,11 @@
 #include <cstdint>
 #include <set>
 
+#include <fmt/core.h>
+
 #include "util/csv.h"
+#include "util/suggestion.h"
+#include "util/text.h"
 
 namespace tyg {
 namespace {
@@ -92,7 +96,12 @@ std::vector<ChartedParticle> usualParticles(const Scene& scene) {
 
 ChartedParticle chartedParticle(const Scene& scene, const std::string& name) {
   const Sheet sheet = makeSheet(scene);
+  const std::span<const std::string_view> names = particleNames();
   const std::size_t colon = name.find(':');
+  if (colon == std::string::npos && std::ranges::find(names, name) == names.end()) {
+    throw InputError(fmt::format("--particles: found '{}', allowed are {}, and COLUMN:ROW such as 5:10{}", name,
+                                 joined(names), didYouMean(name, names)));
+  }
   Place place{.name = name};
   if (colon != std::string::npos) {
     const auto number = [&](const char* first, const char* last, int& value) {
@@ -102,7 +111,11 @@ ChartedParticle chartedParticle(const Scene& scene, const std::string& name) {
     place.name.clear();
     const char* text = name.data();
     if (!number(text, text + colon, place.column) || !number(text + colon + 1, text + name.size(), place.row)) {
-      throw InputError("particle: found '" + name + "', allowed is a name such as bottom-left, or COLUMN:ROW");
+      throw InputError("--particles: found '" + name + "', allowed is COLUMN:ROW, such as 5:10");
+    }
+    if (place.column < 0 || place.column >= sheet.columns || place.row < 0 || place.row >= sheet.rows) {
+      throw InputError(fmt::format("--particles: found '{}', allowed are columns 0 to {} and rows 0 to {}", name,
+                                   sheet.columns - 1, sheet.rows - 1));
     }
   }
   const int index = particleAt(sheet, place);
