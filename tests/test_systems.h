@@ -191,14 +191,14 @@ struct Bench {
   }
   std::vector<Vec3> force() {
     VectorField<T> field(forces.layout());
-    forces.evaluate(state.position, state.velocity, field);
+    forces.evaluate(0, state.position, state.velocity, field);
     std::vector<Vec3> all;
     for (int i = 0; i < sheet.count(); ++i) all.push_back(field.get(i));
     return all;
   }
   void advance(const Method& method, double seconds, int steps) {
     const auto integrator = method.make<T>(scene, sheet);
-    for (int n = 0; n < steps; ++n) integrator->step(forces, state, seconds / steps);
+    for (int n = 0; n < steps; ++n) integrator->step(forces, state, n * seconds / steps, seconds / steps);
   }
 
   Scene scene;

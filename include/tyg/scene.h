@@ -2,6 +2,7 @@
 // Second of the headers to read. Must not know: the present state of particles, how methods work, results, windows.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -54,6 +55,32 @@ struct Push {
   bool operator==(const Push&) const = default;
 };
 
+/// Air around the cloth; without density there is none.
+struct Air {
+  double density = 0;        ///< kg/m3, >= 0
+  double coefficient = 1.2;  ///< of drag, >= 0
+  bool operator==(const Air&) const = default;
+};
+
+/// A wind during [at, at + duration), and a gust that travels with it.
+struct Wind {
+  Vec3 velocity;                                              ///< m/s
+  Vec3 gust;                                                  ///< its amplitude, m/s
+  double wavelength = 0;                                      ///< m, > 0 where there is a gust
+  double at = 0;                                              ///< s, >= 0
+  double duration = std::numeric_limits<double>::infinity();  ///< s, >= 0; the key `for` of the file
+  bool operator==(const Wind&) const = default;
+};
+
+/// Pinned particles move with this velocity during [at, at + duration); several motions of one add up.
+struct Move {
+  std::vector<Place> what;
+  Vec3 velocity;        ///< m/s
+  double at = 0;        ///< s, >= 0
+  double duration = 0;  ///< s, >= 0; the key `for` of the file
+  bool operator==(const Move&) const = default;
+};
+
 /// The most columns and the most rows of a sheet.
 inline constexpr int kLargestCount = 4096;
 
@@ -77,9 +104,12 @@ struct Scene {
 
   Vec3 gravity{0, -9.81, 0};  ///< m/s2
   double drag = 0;            ///< N s/m per particle, >= 0
+  Air air;
+  std::vector<Wind> winds;
 
   std::vector<Displacement> displacements;
   std::vector<Push> pushes;
+  std::vector<Move> moves;
 
   double duration = 1;      ///< s, > 0
   std::string integrator;   ///< a registered method's name

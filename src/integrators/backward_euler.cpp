@@ -1,13 +1,17 @@
 // Backward Euler with one linearised solve (Baraff and Witkin, "Large steps in cloth simulation", 1998, eq. 6):
-//   (M - h dF/dv - h^2 dF/dx) dv = h (F + h dF/dx v);  v' = v + dv;  x' = x + h v'
+//   (M - h dF/dv - h^2 dF/dx) dv = h (F + h dF/dx v), F at t + h;  v' = v + dv;  x' = x + h v'
 // A spring's stiffness matrix is ks (n n' + max(0, 1 - L0/|L|) (I - n n')): clamped, so that compressed springs keep
 // the system positive definite. Solved by conjugate gradients with 3x3 block Jacobi preconditioning, one block a
 // particle.
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "core/forces/term.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include "integrators/make.h"
 #include "integrators/spring_list.h"
 
@@ -22,6 +26,7 @@ class BackwardEuler final : public Integrator<T> {
         springs_(listSprings(scene, sheet)),
         axial_(scene.damping == Damping::Axial),
         particleDamping_(T(particleDamping(scene))),
+        cellDamping_(scene.air.density > 0),
         mass_(T(sheet.particleMass)),
         force_(Layout(sheet)) {
     const Layout& layout = force_.layout();
@@ -38,9 +43,10 @@ class BackwardEuler final : public Integrator<T> {
     fitBlocks();
   }
 
-  void step(Forces<T>& forces, State<T>& state, double h) override {
-    forces.evaluate(state.position, state.velocity, force_);
+  void step(Forces<T>& forces, State<T>& state, double t, double h) override {
+    forces.evaluate(t + h, state.position, state.velocity, force_);
     linearise(state, T(h));
+    lineariseCells(forces, state, t + h, T(h));
     prepare(forces, state, T(h));
     solve(forces.freeMask());
     const std::ptrdiff_t plane = force_.layout().plane;
@@ -52,13 +58,14 @@ class BackwardEuler final : public Integrator<T> {
         x[i] += T(h) * v[i];
       }
     }
-    forces.measurePower(state.position, state.velocity);
-    forces.dissipate(h);
+    forces.measurePower(t + h, state.position, state.velocity);
+    forces.addPower(h);
   }
   void useParameters(const Scene& scene, const Sheet& sheet) override {
     relistSprings(springs_, scene_, scene, sheet);
     scene_ = scene;
     particleDamping_ = T(particleDamping(scene));
+    cellDamping_ = scene.air.density > 0;
     fitBlocks();
   }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<BackwardEuler>(*this); }
@@ -72,6 +79,22 @@ class BackwardEuler final : public Integrator<T> {
   using Vector = Eigen::Matrix<T, 3, 1>;
   using Block = Eigen::Matrix<T, 3, 3>;
   using Vectors = std::vector<Vector>;
+  struct OnCell {
+    int particle = 0;  ///< at its upper left corner
+    Vector g;
+  };
+  /// Arithmetic for terms, of one cell at a time.
+  struct VectorMath {
+    static T all(T number) { return number; }
+    static Vector all3(const T (&numbers)[3]) { return {numbers[0], numbers[1], numbers[2]}; }
+    static Vector none() { return Vector::Zero(); }
+    static T tiny() { return std::numeric_limits<T>::min(); }
+    static T root(T a) { return std::sqrt(a); }
+    static T size(T a) { return std::abs(a); }
+    static T nearestWhole(T a) { return std::nearbyint(a); }
+    static T dot(const Vector& a, const Vector& b) { return a.dot(b); }
+    static Vector cross(const Vector& a, const Vector& b) { return a.cross(b); }
+  };
 
   void fitBlocks() {
     stiffness_.resize(springs_.size());
@@ -92,6 +115,29 @@ class BackwardEuler final : public Integrator<T> {
     }
   }
 
+  /// For each cell the vector g of what the air does to its corners, times the root of h.
+  void lineariseCells(const Forces<T>& forces, const State<T>& state, double time, T h) {
+    onCells_.clear();
+    if (!(cellDamping_)) return;
+    const AllTerms::Numbers<T> numbers = forces.numbersAt(time);
+    const int columns = force_.layout().columns, rows = force_.layout().rows;
+    for (int particle = 0; particle + columns < columns * rows; ++particle) {
+      if (particle % columns + 1 == columns) continue;
+      const auto corners = [&](const VectorField<T>& field) {
+        const auto corner = [&](int k) { return at(field, places_[std::size_t(k)]); };
+        return Corners<Vector>{corner(particle), corner(particle + 1), corner(particle + columns),
+                               corner(particle + columns + 1)};
+      };
+      const AirTerm::Numbers<T>& air = numbers;
+      onCells_.push_back({particle, std::sqrt(h) * AirTerm::rootOfDamping(VectorMath{}, corners(state.position),
+                                                                          corners(state.velocity), air)});
+    }
+  }
+  [[nodiscard]] std::array<std::size_t, 4> cornersOf(int particle) const {
+    const auto a = std::size_t(particle), below = a + std::size_t(force_.layout().columns);
+    return {a, a + 1, below, below + 1};
+  }
+
   /// The right-hand side h F + h dF/dx h v as the first residual, and the preconditioner.
   void prepare(const Forces<T>& forces, const State<T>& state, T h) {
     const T* isFree = forces.freeMask();
@@ -107,6 +153,9 @@ class BackwardEuler final : public Integrator<T> {
       residual_[b] += pull;
       inverse_[a] += stiffness_[s] + damping_[s];
       inverse_[b] += stiffness_[s] + damping_[s];
+    }
+    for (const OnCell& cell : onCells_) {
+      for (const std::size_t corner : cornersOf(cell.particle)) inverse_[corner] += cell.g * cell.g.transpose();
     }
     diagonal_ = mass_ + h * particleDamping_;
     for (std::size_t k = 0; k < places_.size(); ++k) {
@@ -153,6 +202,12 @@ class BackwardEuler final : public Integrator<T> {
       image_[a] += pull;
       image_[b] -= pull;
     }
+    for (const OnCell& cell : onCells_) {
+      const std::array<std::size_t, 4> corners = cornersOf(cell.particle);
+      T along = 0;
+      for (const std::size_t corner : corners) along += cell.g.dot(direction_[corner]);
+      for (const std::size_t corner : corners) image_[corner] += along * cell.g;
+    }
     for (std::size_t i = 0; i < image_.size(); ++i) image_[i] *= isFree[places_[i]];
   }
 
@@ -170,11 +225,14 @@ class BackwardEuler final : public Integrator<T> {
   Scene scene_;
   std::vector<ListedSpring> springs_;
   bool axial_;
-  T particleDamping_, mass_, diagonal_ = 0;
+  T particleDamping_;
+  bool cellDamping_;  // whether there is any
+  T mass_, diagonal_ = 0;
   VectorField<T> force_;
   std::vector<int> index_;              // by place: the particle
   std::vector<std::ptrdiff_t> places_;  // by particle: its place
   std::vector<Block> stiffness_, damping_, inverse_;
+  std::vector<OnCell> onCells_;
   Vectors solution_, residual_, preconditioned_, direction_, image_, velocity_;
 };
 

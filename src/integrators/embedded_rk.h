@@ -26,15 +26,15 @@ class EmbeddedRk final : public Integrator<T> {
     force_.fill(VectorField<T>{Layout(sheet)});
   }
 
-  void step(Forces<T>& forces, State<T>& state, double h) override {
-    attempt(forces, state, h);
+  void step(Forces<T>& forces, State<T>& state, double t, double h) override {
+    attempt(forces, state, t, h);
     accept(forces, state, h);
   }
 
-  double stepWithin(Forces<T>& forces, State<T>& state, double most, double tolerance) override {
+  double stepWithin(Forces<T>& forces, State<T>& state, double t, double most, double tolerance) override {
     while (true) {
       const double h = control_.propose(most);
-      attempt(forces, state, h);
+      attempt(forces, state, t, h);
       if (control_.judge(h, errorOf(forces, state, h) / tolerance)) {
         accept(forces, state, h);
         return h;
@@ -57,6 +57,14 @@ class EmbeddedRk final : public Integrator<T> {
 
   static StepControl controlOf(const Scene& scene) { return {firstStep(scene), Table::kRoots}; }
 
+  /// c_i = sum_j a_ij, the share of the step after which the stage lies; exactly 1 for the last.
+  static constexpr double timeOfStage(int i) {
+    if (i == kLast) return 1;
+    double sum = 0;
+    for (int j = 0; j < i; ++j) sum += Table::kA[i][j];
+    return sum;
+  }
+
   /// Velocity of a stage; the first stage is the state itself.
   template <std::size_t j>
   [[nodiscard]] const T* stageVelocity(const State<T>& state) const {
@@ -64,22 +72,22 @@ class EmbeddedRk final : public Integrator<T> {
   }
 
   /// Works out all stages; the last one is the new state.
-  void attempt(Forces<T>& forces, const State<T>& state, double h) {
+  void attempt(Forces<T>& forces, const State<T>& state, double t, double h) {
     if (!haveFirst_) {
-      forces.evaluate(state.position, state.velocity, force_[0]);
+      forces.evaluate(t, state.position, state.velocity, force_[0]);
       power_[0] = forces.power();
     }
     haveFirst_ = true;
-    stagesFrom<1>(forces, state, h);
+    stagesFrom<1>(forces, state, t, h);
   }
 
   template <int i>
-  void stagesFrom(Forces<T>& forces, const State<T>& state, double h) {
+  void stagesFrom(Forces<T>& forces, const State<T>& state, double t, double h) {
     if constexpr (i < kStages) {
       moveStage<i>(forces, state, h, std::make_index_sequence<i>{});
-      forces.evaluate(stagePosition_, velocity_[i], force_[i]);
+      forces.evaluate(t + timeOfStage(i) * h, stagePosition_, velocity_[i], force_[i]);
       power_[i] = forces.power();
-      stagesFrom<i + 1>(forces, state, h);
+      stagesFrom<i + 1>(forces, state, t, h);
     }
   }
 
@@ -106,9 +114,9 @@ class EmbeddedRk final : public Integrator<T> {
   }
 
   void accept(Forces<T>& forces, State<T>& state, double h) {
-    double power = 0;
-    for (int i = 0; i < kLast; ++i) power += Table::kA[kLast][i] * power_[std::size_t(i)];
-    forces.addDissipated(h * power);
+    Power energy;
+    for (int i = 0; i < kLast; ++i) energy.add(power_[std::size_t(i)], h * Table::kA[kLast][i]);
+    forces.addEnergy(energy);
     std::swap(state.position, stagePosition_);
     std::swap(state.velocity, velocity_[kLast]);
     std::swap(force_[0], force_[kLast]);
@@ -159,7 +167,7 @@ class EmbeddedRk final : public Integrator<T> {
   StepControl control_;
   VectorField<T> stagePosition_;
   std::array<VectorField<T>, kStages> velocity_, force_;  // velocity_[0] stays unused
-  std::array<double, kStages> power_{};                   // W, where the ledger wants it
+  std::array<Power, kStages> power_{};                    // W, where it is wanted
   bool haveFirst_ = false;                                // force_[0] belongs to the state that the last step left
   std::vector<T> errorFromRow_;                           // of each thread's band, at its first row
 };

@@ -16,9 +16,9 @@ class ExplicitEuler final : public Integrator<T> {
  public:
   explicit ExplicitEuler(const Layout& layout) : force_(layout) {}
 
-  void step(Forces<T>& forces, State<T>& state, double h) override {
-    forces.evaluate(state.position, state.velocity, force_);
-    forces.dissipate(h);
+  void step(Forces<T>& forces, State<T>& state, double t, double h) override {
+    forces.evaluate(t, state.position, state.velocity, force_);
+    forces.addPower(h);
     const T step = T(h), kick = T(h * forces.inverseMass());
     T *x = state.position.x(), *v = state.velocity.x();
     const T* f = force_.x();

@@ -22,6 +22,7 @@ class Imex final : public Integrator<T> {
     if (scene.damping == Damping::Axial) {
       throw InputError("imex: found axial damping, allowed: relative damping (its matrix must be constant)");
     }
+    refuseCellDamping(scene);
     unknown_.assign(std::size_t(still_.layout().plane), -1);
     for (int particle = 0; particle < sheet.count(); ++particle) {
       if (!std::binary_search(sheet.pins.begin(), sheet.pins.end(), particle)) {
@@ -32,24 +33,25 @@ class Imex final : public Integrator<T> {
     buildDamping();
   }
   void useParameters(const Scene& scene, const Sheet& /*sheet*/) override {
+    refuseCellDamping(scene);
     const bool dampsAlike = valuesOf(scene, Role::Damping) == valuesOf(scene_, Role::Damping);
     scene_ = scene;
     if (!dampsAlike) buildDamping();
   }
   Imex(const Imex& other) : Imex(other.scene_, other.sheet_) {}
 
-  void step(Forces<T>& forces, State<T>& state, double h) override {
+  void step(Forces<T>& forces, State<T>& state, double t, double h) override {
     drift(forces, state, h / 2);
-    forces.evaluate(state.position, still_, force_);
-    forces.measurePower(state.position, state.velocity);
-    forces.dissipate(h / 2);
+    forces.evaluate(t + h / 2, state.position, still_, force_);
+    forces.measurePower(t, state.position, state.velocity);
+    forces.addPower(h / 2);
     if (isDamped_) {
       solve(state, h);
     } else {
       kick(forces, state, force_, h);
     }
-    forces.measurePower(state.position, state.velocity);
-    forces.dissipate(h / 2);
+    forces.measurePower(t + h, state.position, state.velocity);
+    forces.addPower(h / 2);
     drift(forces, state, h / 2);
   }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<Imex>(*this); }
@@ -62,10 +64,23 @@ class Imex final : public Integrator<T> {
  private:
   using Matrix = Eigen::SparseMatrix<T>;
   using Columns = Eigen::Matrix<T, Eigen::Dynamic, 3>;
+  /// A damper between a particle that moves and a pin, which may have a velocity of its own.
+  struct OnPin {
+    int unknown = 0;
+    std::ptrdiff_t pin = 0;
+    T kd = 0;
+  };
+
+  static void refuseCellDamping(const Scene& scene) {
+    if (scene.air.density > 0) {
+      throw InputError("imex: found air, allowed: scenes without it (the matrix of the damping must be constant)");
+    }
+  }
 
   /// D over the particles that move: the graph Laplacian weighted with kd, plus what resists single particles.
   void buildDamping() {
     std::vector<Eigen::Triplet<T>> entries;
+    onPins_.clear();
     const auto add = [&](int row, int column, double value) {
       if (row >= 0 && column >= 0) entries.emplace_back(row, column, T(value));
     };
@@ -75,6 +90,8 @@ class Imex final : public Integrator<T> {
     for (const ListedSpring& spring : listSprings(scene_, sheet_)) {
       if (spring.kd <= 0) continue;
       const int a = unknown_[std::size_t(spring.first)], b = unknown_[std::size_t(spring.second)];
+      if (a >= 0 && b < 0) onPins_.push_back({a, spring.second, T(spring.kd)});
+      if (b >= 0 && a < 0) onPins_.push_back({b, spring.first, T(spring.kd)});
       add(a, a, spring.kd), add(b, b, spring.kd), add(a, b, -spring.kd), add(b, a, -spring.kd);
     }
     const auto size = Eigen::Index(places_.size());
@@ -113,6 +130,12 @@ class Imex final : public Integrator<T> {
     for (Eigen::Index k = 0; k < size; ++k) {
       for (int axis = 0; axis < 3; ++axis) impulse_(k, axis) += T(h) * f[axis * plane + places_[std::size_t(k)]];
     }
+    for (const OnPin& spring : onPins_) {
+      for (int axis = 0; axis < 3; ++axis) {
+        const T ofPin = v[axis * plane + spring.pin];
+        if (ofPin != 0) impulse_(spring.unknown, axis) += T(h) * spring.kd * ofPin;
+      }
+    }
     impulse_ = factor_.solve(impulse_).eval();
     for (Eigen::Index k = 0; k < size; ++k) {
       for (int axis = 0; axis < 3; ++axis) v[axis * plane + places_[std::size_t(k)]] += impulse_(k, axis);
@@ -124,6 +147,7 @@ class Imex final : public Integrator<T> {
   VectorField<T> still_, force_;
   std::vector<int> unknown_;            // by place: index of the unknown, or -1 at pins and padding
   std::vector<std::ptrdiff_t> places_;  // by unknown: its place
+  std::vector<OnPin> onPins_;
   bool isDamped_ = false, isAnalyzed_ = false;
   Matrix damping_, mass_;
   Eigen::SimplicialLDLT<Matrix> factor_;

@@ -25,11 +25,11 @@ void drift(Forces<T>& forces, State<T>& state, double h) {
   forNumbers(forces.workers(), forces.layout(), [=](std::ptrdiff_t i) { x[i] += step * v[i]; });
 }
 
-/// Both in one pass, the kick first: v' = v + h a(x, v); x' = x + h v' with a = force / m.
+/// Both in one pass, the kick first: v' = v + h a(t, x, v); x' = x + h v' with a = force / m.
 template <class T>
-void kickAndDrift(Forces<T>& forces, State<T>& state, VectorField<T>& force, double h) {
-  forces.evaluate(state.position, state.velocity, force);
-  forces.dissipate(h);
+void kickAndDrift(Forces<T>& forces, State<T>& state, VectorField<T>& force, double t, double h) {
+  forces.evaluate(t, state.position, state.velocity, force);
+  forces.addPower(h);
   const T step = T(h), kick = T(h * forces.inverseMass());
   T *x = state.position.x(), *v = state.velocity.x();
   const T* f = force.x();

@@ -13,16 +13,16 @@ class Leapfrog final : public Integrator<T> {
  public:
   explicit Leapfrog(const Layout& layout) : force_(layout), predicted_(layout) {}
 
-  void step(Forces<T>& forces, State<T>& state, double h) override {
-    begin(forces, state, h);
-    finish(forces, state, h);
+  void step(Forces<T>& forces, State<T>& state, double t, double h) override {
+    begin(forces, state, t, h);
+    finish(forces, state, t + h, h);
   }
   /// Two half kicks of neighbouring steps use the same force, so all but the last one fuse into one pass a step.
-  void steps(Forces<T>& forces, State<T>& state, double h, int count) override {
-    if (!forces.canAdvance()) return Integrator<T>::steps(forces, state, h, count);
-    begin(forces, state, h);
-    if (count > 1) forces.leapfrog(state, predicted_, h, count - 1);
-    finish(forces, state, h);
+  void steps(Forces<T>& forces, State<T>& state, const StepTimes& times, int count) override {
+    if (!forces.canAdvance()) return Integrator<T>::steps(forces, state, times, count);
+    begin(forces, state, times.at(0), times.h);
+    if (count > 1) forces.leapfrog(state, predicted_, times, count - 1);
+    finish(forces, state, times.at(count - 1) + times.h, times.h);
   }
   void reset() override { haveForce_ = false; }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<Leapfrog>(*this); }
@@ -30,10 +30,10 @@ class Leapfrog final : public Integrator<T> {
 
  private:
   /// w = v + h/2 a;  x' = x + h w;  u = w + h/2 a
-  void begin(Forces<T>& forces, State<T>& state, double h) {
-    if (!haveForce_) forces.evaluate(state.position, state.velocity, force_);
+  void begin(Forces<T>& forces, State<T>& state, double t, double h) {
+    if (!haveForce_) forces.evaluate(t, state.position, state.velocity, force_);
     haveForce_ = true;
-    forces.dissipate(h / 2);
+    forces.addPower(h / 2);
     const T step = T(h), halfKick = T(h / 2 * forces.inverseMass());
     T *x = state.position.x(), *v = state.velocity.x(), *u = predicted_.x();
     const T* f = force_.x();
@@ -44,10 +44,10 @@ class Leapfrog final : public Integrator<T> {
     });
   }
 
-  /// a' = a(x', u);  v' = w + h/2 a'
-  void finish(Forces<T>& forces, State<T>& state, double h) {
-    forces.evaluate(state.position, predicted_, force_);
-    forces.dissipate(h / 2);
+  /// a' = a(t', x', u);  v' = w + h/2 a'
+  void finish(Forces<T>& forces, State<T>& state, double end, double h) {
+    forces.evaluate(end, state.position, predicted_, force_);
+    forces.addPower(h / 2);
     kick(forces, state, force_, h / 2);
   }
 

@@ -17,12 +17,12 @@ class ReportRk4 final : public Integrator<T> {
  public:
   explicit ReportRk4(const Layout& layout) : force_(layout) {}
 
-  void step(Forces<T>& forces, State<T>& state, double h) override {
-    kickAndDrift(forces, state, force_, stepTaken(h));
+  void step(Forces<T>& forces, State<T>& state, double t, double h) override {
+    kickAndDrift(forces, state, force_, t, stepTaken(h));
   }
-  void steps(Forces<T>& forces, State<T>& state, double h, int count) override {
-    if (!forces.canAdvance()) return Integrator<T>::steps(forces, state, h, count);
-    forces.kickAndDrift(state, stepTaken(h), count);
+  void steps(Forces<T>& forces, State<T>& state, const StepTimes& times, int count) override {
+    if (!forces.canAdvance()) return Integrator<T>::steps(forces, state, times, count);
+    forces.kickAndDrift(state, stepTaken(times.h), times, count);
   }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<ReportRk4>(*this); }
   [[nodiscard]] std::size_t bytes() const override { return force_.bytes(); }

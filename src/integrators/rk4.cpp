@@ -13,18 +13,18 @@ class Rk4 final : public Integrator<T> {
  public:
   explicit Rk4(const Layout& layout) : stage_(layout), force_(layout), sumV_(layout), sumF_(layout) {}
 
-  void step(Forces<T>& forces, State<T>& state, double h) override {
-    forces.evaluate(state.position, state.velocity, force_);
-    forces.dissipate(h / 6);
+  void step(Forces<T>& forces, State<T>& state, double t, double h) override {
+    forces.evaluate(t, state.position, state.velocity, force_);
+    forces.addPower(h / 6);
     firstStage(forces, state, h / 2);
-    forces.evaluate(stage_.position, stage_.velocity, force_);
-    forces.dissipate(h / 3);
+    forces.evaluate(t + h / 2, stage_.position, stage_.velocity, force_);
+    forces.addPower(h / 3);
     innerStage(forces, state, h / 2);
-    forces.evaluate(stage_.position, stage_.velocity, force_);
-    forces.dissipate(h / 3);
+    forces.evaluate(t + h / 2, stage_.position, stage_.velocity, force_);
+    forces.addPower(h / 3);
     innerStage(forces, state, h);
-    forces.evaluate(stage_.position, stage_.velocity, force_);
-    forces.dissipate(h / 6);
+    forces.evaluate(t + h, stage_.position, stage_.velocity, force_);
+    forces.addPower(h / 6);
     finish(forces, state, h);
   }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<Rk4>(*this); }

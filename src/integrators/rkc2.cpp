@@ -29,30 +29,39 @@ class Rkc2 final : public Integrator<T> {
     force0_ = force_ = VectorField<T>(layout);
   }
 
-  void step(Forces<T>& forces, State<T>& state, double h) override {
+  void step(Forces<T>& forces, State<T>& state, double t, double h) override {
     if (h != tableFor_) chooseStages(h);
     const ChebyshevTable& c = *table_;
     const double kick = forces.inverseMass();
-    forces.evaluate(state.position, state.velocity, force0_);
-    const double power0 = forces.power();
+    forces.evaluate(t, state.position, state.velocity, force0_);
+    const Power power0 = forces.power();
     const double m1 = c.b[1] * c.w1;
     before_ = state;
     moveFirst(forces, state, m1 * h, kick);
-    double spent = m1 * power0, spentBefore = 0;  // the dissipated energy over h, as one more component of y
+    Power spent, spentBefore;  // the integral of the power over h, as more components of y
+    spent.add(power0, m1);
+    double share = m1, shareBefore = 0;  // the time since t over h, likewise
     for (int j = 2; j <= stages_.count; ++j) {
       const auto at = [&](int k) { return std::size_t(k); };
       const double mu = 2 * c.b[at(j)] * c.w0 / c.b[at(j - 1)], nu = -c.b[at(j)] / c.b[at(j - 2)];
       const double mt = 2 * c.b[at(j)] * c.w1 / c.b[at(j - 1)];
       const double gt = -(1 - c.b[at(j - 1)] * c.value[at(j - 1)]) * mt;
-      forces.evaluate(now_.position, now_.velocity, force_);
-      const double spentNext = mu * spent + nu * spentBefore + mt * forces.power() + gt * power0;
+      forces.evaluate(t + share * h, now_.position, now_.velocity, force_);
+      Power spentNext;
+      spentNext.add(spent, mu), spentNext.add(spentBefore, nu);
+      spentNext.add(forces.power(), mt), spentNext.add(power0, gt);
       moveNext(forces, state, {mu, nu, mt * h, gt * h}, kick);
       std::swap(before_, now_);
       std::swap(now_, next_);
       spentBefore = spent;
       spent = spentNext;
+      const double shareNext = mu * share + nu * shareBefore + mt + gt;
+      shareBefore = share;
+      share = shareNext;
     }
-    forces.addDissipated(h * spent);
+    Power energy;
+    energy.add(spent, h);
+    forces.addEnergy(energy);
     std::swap(state, now_);
   }
   /// The waves do not depend on gravity, nor on the tolerance.

@@ -11,10 +11,12 @@ class SymplecticEuler final : public Integrator<T> {
  public:
   explicit SymplecticEuler(const Layout& layout) : force_(layout) {}
 
-  void step(Forces<T>& forces, State<T>& state, double h) override { kickAndDrift(forces, state, force_, h); }
-  void steps(Forces<T>& forces, State<T>& state, double h, int count) override {
-    if (!forces.canAdvance()) return Integrator<T>::steps(forces, state, h, count);
-    forces.kickAndDrift(state, h, count);
+  void step(Forces<T>& forces, State<T>& state, double t, double h) override {
+    kickAndDrift(forces, state, force_, t, h);
+  }
+  void steps(Forces<T>& forces, State<T>& state, const StepTimes& times, int count) override {
+    if (!forces.canAdvance()) return Integrator<T>::steps(forces, state, times, count);
+    forces.kickAndDrift(state, times.h, times, count);
   }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override {
     return std::make_unique<SymplecticEuler>(*this);

@@ -21,10 +21,10 @@ class Xpbd final : public Integrator<T> {
         start_(Layout(sheet)),
         force_(Layout(sheet)) {}
 
-  void step(Forces<T>& forces, State<T>& state, double h) override {
-    forces.measurePower(state.position, state.velocity);
-    forces.dissipate(h);
-    forces.evaluateWithoutSprings(state.position, state.velocity, force_);
+  void step(Forces<T>& forces, State<T>& state, double t, double h) override {
+    forces.measurePower(t, state.position, state.velocity);
+    forces.addPower(h);
+    forces.evaluateWithoutSprings(t, state.position, state.velocity, force_);
     start_ = state.position;
     kick(forces, state, force_, h);
     for (const ListedSpring& spring : springs_) {

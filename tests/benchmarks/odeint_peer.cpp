@@ -83,7 +83,7 @@ class OdeintWithTygsForces {
   void step() {
     const auto system = [this](const State<double>& y, State<double>& dy, double) {
       dy.position = y.velocity;
-      forces_.evaluate(y.position, y.velocity, dy.velocity);
+      forces_.evaluate(0, y.position, y.velocity, dy.velocity);
       const double inverseMass = forces_.inverseMass();
       double* const v = dy.velocity.x();
       for (std::ptrdiff_t i = 0; i < 3 * sheetPlane(); ++i) v[i] *= inverseMass;

@@ -24,7 +24,7 @@ void steps(benchmark::State& state, const char* methodName, Precision precision)
   Forces<T> forces(scene, sheet, workers);
   State<T> cloth = startState<T>(sheet);
   const auto method = findMethod(methodName).make<T>(scene, sheet);
-  for (auto _ : state) method->steps(forces, cloth, kStep, kStepsPerRound);
+  for (auto _ : state) method->steps(forces, cloth, {0, 0, kStep}, kStepsPerRound);
   reportPerParticle(state);
 }
 

@@ -66,7 +66,9 @@ struct Bare {
 
 template <class T>
 std::function<void()> bareSteps(const Scene& scene) {
-  return [bare = std::make_shared<Bare<T>>(scene)] { bare->method->steps(bare->forces, bare->state, kStep, kSteps); };
+  return [bare = std::make_shared<Bare<T>>(scene)] {
+    bare->method->steps(bare->forces, bare->state, {0, 0, kStep}, kSteps);
+  };
 }
 
 std::function<void()> stepsOf(const Variant& variant, Precision precision) {

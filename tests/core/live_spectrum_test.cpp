@@ -171,7 +171,7 @@ TEST(LiveStableStep, TakesFourForceEvaluationsOrFewer) {
   for (const Method& method : methods()) {
     LiveSpectrum<double> spectrum(bench.scene, bench.sheet, bench.workers);
     for (int call = 1; call <= 3; ++call) {
-      (void)spectrum.stableStep(method, bench.state);
+      (void)spectrum.stableStep(method, bench.state, 0);
       EXPECT_LE(spectrum.evaluations(), 4 * call) << method.name;
     }
   }
@@ -195,11 +195,11 @@ TEST(LiveStableStep, ComesBackAfterAStateThatWasNotFinite) {
   Bench<double> bench(loadScene("curtain"));
   LiveSpectrum<double> spectrum(bench.scene, bench.sheet, bench.workers);
   const Method& method = findMethod("leapfrog");
-  const double before = spectrum.stableStep(method, bench.state);
+  const double before = spectrum.stableStep(method, bench.state, 0);
   State<double> broken = bench.state;
   broken.position.set(25, {std::numeric_limits<double>::quiet_NaN(), 0, 0});
-  EXPECT_TRUE(std::isnan(spectrum.stableStep(method, broken)));
-  EXPECT_NEAR(spectrum.stableStep(method, bench.state) / before, 1, kFirst);
+  EXPECT_TRUE(std::isnan(spectrum.stableStep(method, broken, 0)));
+  EXPECT_NEAR(spectrum.stableStep(method, bench.state, 0) / before, 1, kFirst);
 }
 
 }  // namespace

@@ -91,7 +91,8 @@ void expectRefusals(const std::vector<Mistake>& mistakes) {
 TEST(SceneErrors, AreNotFoundInTheSceneThatTheyAreMadeFrom) { EXPECT_EQ(refusalOf(sceneWith(1, kGood[0])), ""); }
 
 TEST(SceneErrors, NameUnknownKeysAndTables) {
-  const std::string root = R"("title", "shows", "sheet", "springs", "world", "displace", "push", "run")";
+  const std::string root =
+      R"("title", "shows", "sheet", "springs", "world", "air", "wind", "displace", "push", "move", "run")";
   expectRefusals({
       {2, "show = 'x'", 2, "show", "an unknown key", root},
       {10, "[spring]", 10, "spring", "an unknown table", root},

@@ -83,12 +83,12 @@ TEST(EnergyWatch, KeepsTheFirstAlarmAndItsTime) {
 TEST(EnergyWatch, CountsTheDriftFromWhereTheLedgerIsFollowed) {
   EnergyWatch watch = quietWatch(false);
   const double scale = watch.ledger({}).scale;
-  const EnergySample now{.stored = {.kinetic = 0.1 * scale}, .work = 0.05 * scale};
+  const EnergySample now{.stored = {.kinetic = 0.1 * scale}, .pushes = 0.05 * scale};
   EXPECT_EQ(watch.ledger(now).drift, 0);
   watch.followLedger(true, now);
   EXPECT_EQ(watch.ledger(now).drift, 0);
   EnergySample later = now;
-  later.stored.kinetic -= 0.04 * scale, later.dissipated += 0.03 * scale;
+  later.stored.kinetic -= 0.04 * scale, later.passed.lost += 0.03 * scale;
   const Ledger ledger = watch.ledger(later);
   constexpr double kRounding = 1e-12;
   EXPECT_NEAR(ledger.drift * ledger.scale, -0.01 * scale, kRounding * scale);

@@ -58,7 +58,8 @@ TEST(Terms, StoreOrTakeAllOfTheirPower) {
       return energy.sum() - energy.kinetic;
     };
     const double storing = (stored(kStep) - stored(-kStep)) / (2 * kStep);
-    const double taken = bench.forces.lossPower(bench.state.position, bench.state.velocity);
+    const Power passing = bench.forces.powerOf(0, bench.state.position, bench.state.velocity);
+    const double taken = passing.lost - passing.supplied[0];
     EXPECT_GT(scale, 0.01) << term->name;
     EXPECT_NEAR(power + storing + taken, 0, kTolerance * scale) << term->name;
   }
@@ -87,7 +88,7 @@ TEST(Terms, WithoutDampingTakeNothing) {
   Numbers numbers(29);
   shake(bench, 0.3, numbers);
   EXPECT_FALSE(isDamped(bench.scene));
-  EXPECT_EQ(bench.forces.lossPower(bench.state.position, bench.state.velocity), 0);
+  EXPECT_EQ(bench.forces.powerOf(0, bench.state.position, bench.state.velocity).lost, 0);
 }
 
 TEST(LiveParameters, HaveAKeyEachAndKeepTheirValues) {
@@ -124,8 +125,8 @@ TEST(LiveParameters, SetInPlaceGiveTheForcesOfANewScene) {
     made.state = changed.state;
     changed.forces.useParameters(now);
     EXPECT_EQ(changed.force(), made.force());
-    EXPECT_EQ(changed.forces.lossPower(made.state.position, made.state.velocity),
-              made.forces.lossPower(made.state.position, made.state.velocity));
+    EXPECT_EQ(changed.forces.powerOf(0, made.state.position, made.state.velocity).lost,
+              made.forces.powerOf(0, made.state.position, made.state.velocity).lost);
     EXPECT_EQ(changed.forces.energy(made.state).stored, made.forces.energy(made.state).stored);
   }
 }

@@ -181,7 +181,7 @@ double growth(const Method& method, double d, double h) {
   const auto integrator = method.make<double>(bench.scene, bench.sheet);
   double size = 1;
   for (int n = 0; n < kSteps && size < 1000; ++n) {
-    integrator->step(bench.forces, bench.state, h);
+    integrator->step(bench.forces, bench.state, 0, h);
     size = length(bench.state.position.get(1) - rest) / kSmall;
   }
   return size;

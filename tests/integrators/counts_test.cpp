@@ -19,7 +19,7 @@ TEST(Counts, OfEveryMethodAreAsDeclaredPerStepAndAtTheStart) {
     const auto integrator = method.make<double>(bench.scene, bench.sheet);
     std::int64_t expected = method.evaluationsAtStart;
     for (int n = 0; n < 5; ++n) {
-      integrator->step(bench.forces, bench.state, 0.01);
+      integrator->step(bench.forces, bench.state, 0, 0.01);
       expected += method.evaluationsPerStep;
       EXPECT_EQ(bench.forces.evaluations(), expected) << method.name << " after step " << n + 1;
     }
@@ -33,7 +33,7 @@ TEST(Counts, OfEveryMethodStartAnewAfterAReset) {
     const auto integrator = method.make<double>(bench.scene, bench.sheet);
     for (int n = 0; n < 3; ++n) {
       integrator->reset();
-      integrator->step(bench.forces, bench.state, 0.01);
+      integrator->step(bench.forces, bench.state, 0, 0.01);
     }
     EXPECT_EQ(bench.forces.evaluations(), 3 * (method.evaluationsPerStep + method.evaluationsAtStart)) << method.name;
   }

@@ -25,6 +25,7 @@ std::vector<Scene> changedScenes(Scene scene) {
   std::vector<Scene> scenes;
   for (const Parameter& parameter : liveParameters()) {
     const Vec3 value = parameter.get(scene);
+    if (value == Vec3{}) continue;  // nothing would change
     for (const double factor : {0.5, parameter.allowed == Allowed::Positive ? 2.0 : 0.0, 0.25}) {
       parameter.set(scene, {factor * value.x, factor * value.y, factor * value.z});
       scenes.push_back(scene);

@@ -25,7 +25,7 @@ class Wrong : public Integrator<double> {
     return forces.inverseMass() * force_.get(particle);
   }
   void evaluate(Forces<double>& forces, const VectorField<double>& x, const VectorField<double>& v) {
-    forces.evaluate(x, v, force_);
+    forces.evaluate(0, x, v, force_);
   }
   static void move(VectorField<double>& field, int particle, double by, const Vec3& rate) {
     field.set(particle, field.get(particle) + by * rate);
@@ -40,7 +40,7 @@ class Wrong : public Integrator<double> {
 class UpdatesInPlace final : public Wrong {
  public:
   explicit UpdatesInPlace(const Sheet& sheet) : Wrong(sheet) {}
-  void step(Forces<double>& forces, State<double>& state, double h) override {
+  void step(Forces<double>& forces, State<double>& state, double /*t*/, double h) override {
     for (int i = 0; i < count(); ++i) {
       evaluate(forces, state.position, state.velocity);
       move(state.velocity, i, h, acceleration(forces, i));
@@ -54,7 +54,7 @@ class UpdatesInPlace final : public Wrong {
 class ForgetsToMoveStages final : public Wrong {
  public:
   explicit ForgetsToMoveStages(const Sheet& sheet) : Wrong(sheet), stageV_(Layout(sheet)), sumV_(stageV_) {}
-  void step(Forces<double>& forces, State<double>& state, double h) override {
+  void step(Forces<double>& forces, State<double>& state, double /*t*/, double h) override {
     constexpr std::array kReach = {0.5, 0.5, 1.0, 0.0}, kWeight = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
     stageV_ = state.velocity, sumV_ = state.velocity;
     VectorField<double> sumX = state.position;
@@ -80,7 +80,7 @@ class ForgetsToMoveStages final : public Wrong {
 class KeepsAStaleAcceleration final : public Wrong {
  public:
   explicit KeepsAStaleAcceleration(const Sheet& sheet) : Wrong(sheet), predicted_(Layout(sheet)) {}
-  void step(Forces<double>& forces, State<double>& state, double h) override {
+  void step(Forces<double>& forces, State<double>& state, double /*t*/, double h) override {
     if (!begun_) evaluate(forces, state.position, state.velocity);
     begun_ = true;
     for (int i = 0; i < count(); ++i) {
@@ -105,7 +105,7 @@ class KeepsAStaleAcceleration final : public Wrong {
 class UsesTheOldVelocity final : public Wrong {
  public:
   explicit UsesTheOldVelocity(const Sheet& sheet) : Wrong(sheet) {}
-  void step(Forces<double>& forces, State<double>& state, double h) override {
+  void step(Forces<double>& forces, State<double>& state, double /*t*/, double h) override {
     evaluate(forces, state.position, state.velocity);
     for (int i = 0; i < count(); ++i) {
       move(state.position, i, h, state.velocity.get(i));

@@ -44,6 +44,16 @@ void fill(AllTerms::Numbers<T>& numbers, const Scene& scene, const Sheet& sheet)
   });
 }
 
+/// The numbers of the terms at a moment; `scene` as Forces::useParameters has it.
+template <class T>
+void setMoment(AllTerms::Numbers<T>& numbers, AllTerms::Moment<T>& moments, const Scene& scene, double time) {
+  AllTerms::forEach([&]<class Term>() {
+    if constexpr (requires { typename Term::template Moment<T>; }) {
+      Term::template setMoment<T>(scene, time, static_cast<MomentOf<Term, T>&>(moments).moment, numbers);
+    }
+  });
+}
+
 /// 1 for every column that has a neighbour `distance` to the right.
 template <class T>
 AlignedVector<T> columnMask(const Layout& layout, int distance) {
@@ -84,14 +94,19 @@ struct Forces<T>::Kernel {
 
   const RowKernels<T>& kernels = rowKernels<T>();
   Sheet sheet;
+  Scene scene;      // its parameters and winds are those in use
   RowTask<T> task;  // all that does not change from call to call; its loops store the forces
   EnergyRow<T> energyRow;
   AlignedVector<T> hasRight, hasRight2, isFree;
-  std::vector<AlignedVector<T>> scratch;      // per thread and step of a group
-  std::vector<StoredEnergy> rowEnergies;      // per row
-  std::vector<double> rowPowers;              // W, per row
-  unsigned particleTerms = 0, cellTerms = 0;  // that the scene has, a bit each
-  bool damps = false;
+  AlignedVector<T> isFreeOrMoves;            // where pins move, else empty
+  VectorField<T> forceOnPins;                // where pins move: scratch memory
+  std::vector<AlignedVector<T>> scratch;     // per thread and step of a group
+  std::vector<StoredEnergy> rowEnergies;     // per row
+  std::vector<Power> rowPowers;              // W, per row
+  std::vector<AllTerms::Moment<T>> moments;  // per thread and step of a group
+  AllTerms::Moment<double> energyMoment;
+  unsigned particleTerms = 0, cellTerms = 0;           // that the scene has, a bit each
+  bool hasPower = false;                               // whether anything takes or brings power, pins not counted
   std::vector<PushedParticle<T>> pushes;               // by row
   std::array<Progress, kMostSteps / kGroup> finished;  // rows, by each group of steps
 
@@ -126,6 +141,7 @@ Forces<T>::Forces(const Scene& scene, const Sheet& sheet, Workers& workers)
   k.isFree = maskOfFree<T>(layout_, sheet);
   k.scratch.assign(static_cast<std::size_t>(workers.threads() * kGroup),
                    AlignedVector<T>(rowScratchSize(layout_.stride)));
+  k.moments.resize(k.scratch.size());
   k.rowEnergies.resize(static_cast<std::size_t>(layout_.rows));
   k.rowPowers.resize(static_cast<std::size_t>(layout_.rows));
 
@@ -145,38 +161,50 @@ Forces<T>::Forces(const Scene& scene, const Sheet& sheet, Workers& workers)
 template <class T>
 void Forces<T>::useParameters(const Scene& scene) {
   Kernel& k = *kernel_;
+  k.scene = scene;
   k.particleTerms = termsOf(scene, TermPlace::Particles), k.cellTerms = termsOf(scene, TermPlace::Cells);
   k.task.accumulate = k.kernels.accumulate[k.cellTerms][familiesOf(scene)][int(dampingOf(scene))];
   fill<T>(k.task, scene, k.sheet);
   fill<double>(k.energyRow, scene, k.sheet);
   k.energyRow.axial = scene.damping == Damping::Axial;
-  k.damps = isDamped(scene);
+  k.hasPower = isDamped(scene) || k.cellTerms != 0;
+}
+
+template <class T>
+void Forces<T>::blow(std::span<const Wind> winds) {
+  kernel_->scene.winds.assign(winds.begin(), winds.end());
 }
 
 template <class T>
 Forces<T>::~Forces() = default;
 
 template <class T>
-void Forces<T>::evaluate(const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force) {
-  runBands(kernel_->task.accumulate, position, velocity, force);
+void Forces<T>::evaluate(double time, const VectorField<T>& position, const VectorField<T>& velocity,
+                         VectorField<T>& force) {
+  runBands(kernel_->task.accumulate, time, position, velocity, force);
   ++account_.evaluations;
-  measurePower(position, velocity);
+  takePower(time, position, velocity);
+  if (!movingPins_.empty()) account_.power.pins = takeFromPins(velocity, force);
 }
 
 template <class T>
-void Forces<T>::evaluateWithoutSprings(const VectorField<T>& position, const VectorField<T>& velocity,
+void Forces<T>::evaluateWithoutSprings(double time, const VectorField<T>& position, const VectorField<T>& velocity,
                                        VectorField<T>& force) {
-  runBands(kernel_->kernels.accumulate[kernel_->cellTerms][0][int(DampingTerm::None)], position, velocity, force);
+  runBands(kernel_->kernels.accumulate[kernel_->cellTerms][0][int(DampingTerm::None)], time, position, velocity, force);
+  if (!movingPins_.empty()) takeFromPins(velocity, force);
 }
 
 /// Each thread finishes a band of rows; the two rows above it are accumulated again rather than waited for.
 template <class T>
 template <class Loop>
-void Forces<T>::runBands(Loop accumulate, const VectorField<T>& position, const VectorField<T>& velocity,
+void Forces<T>::runBands(Loop accumulate, double time, const VectorField<T>& position, const VectorField<T>& velocity,
                          VectorField<T>& force) {
   Kernel& k = *kernel_;
+  RowTask<T> now = k.task;
+  setMoment<T>(now, k.moments.front(), k.scene, time);
+  if (!movingPins_.empty()) now.isFree = k.isFreeOrMoves.data();
   workers_.forBands(layout_.rows, [&](int first, int last, int thread) {
-    RowTask<T> task = k.task;
+    RowTask<T> task = now;
     task.accumulate = accumulate;
     task.finish = k.finish(Update::Store);
     task.position = position.x(), task.velocity = velocity.x(), task.force = force.x();
@@ -186,28 +214,29 @@ void Forces<T>::runBands(Loop accumulate, const VectorField<T>& position, const 
 }
 
 template <class T>
-void Forces<T>::kickAndDrift(State<T>& state, double h, int count) {
+void Forces<T>::kickAndDrift(State<T>& state, double h, const StepTimes& times, int count) {
   RowTask<T> task = kernel_->task;
   task.finish = kernel_->finish(Update::KickAndDrift);
   task.velocity = state.velocity.x();
   task.kick = T(h * inverseMass_);
-  advance(task, Update::KickAndDrift, state, h, count);
+  advance(task, Update::KickAndDrift, state, h, count, [&](int step) { return times.at(step); });
 }
 
 template <class T>
-void Forces<T>::leapfrog(State<T>& state, VectorField<T>& predicted, double h, int count) {
+void Forces<T>::leapfrog(State<T>& state, VectorField<T>& predicted, const StepTimes& times, int count) {
+  const double h = times.h;
   RowTask<T> task = kernel_->task;
   task.finish = kernel_->finish(Update::Leapfrog);
   task.velocity = task.seen = predicted.x();
   task.kick = T(h / 2 * inverseMass_);
-  advance(task, Update::Leapfrog, state, h, count);
+  advance(task, Update::Leapfrog, state, h, count, [&](int step) { return times.at(step) + h; });
 }
 
 /// Steps follow each other down the sheet: a step may finish a row once the step before has finished the two below it.
 /// Steps in groups of kGroup stay within one thread's cache; groups are dealt out to the threads in turn.
 template <class T>
-template <class Task>
-void Forces<T>::advance(Task task, Update update, State<T>& state, double h, int count) {
+template <class Task, class TimeOf>
+void Forces<T>::advance(Task task, Update update, State<T>& state, double h, int count, TimeOf timeOf) {
   Kernel& k = *kernel_;
   task.position = task.moving = state.position.x();
   task.kicked = state.velocity.x();
@@ -222,6 +251,8 @@ void Forces<T>::advance(Task task, Update update, State<T>& state, double h, int
       for (int step = 0; step < steps; ++step) {
         tasks[std::size_t(step)] = task;
         tasks[std::size_t(step)].scratch = k.cleanScratch(thread * kGroup + step);
+        setMoment<T>(tasks[std::size_t(step)], k.moments[std::size_t(thread * kGroup + step)], k.scene,
+                     timeOf(group * kGroup + step));
       }
       for (int front = 0; front < rows + lag; ++front) {
         if (group > 0) k.finished[std::size_t(group - 1)].await(std::min(front + 3, rows));
@@ -236,8 +267,47 @@ void Forces<T>::advance(Task task, Update update, State<T>& state, double h, int
 }
 
 template <class T>
-void Forces<T>::measurePower(const VectorField<T>& position, const VectorField<T>& velocity) {
-  if (trackDissipation_) account_.power = lossPower(position, velocity);
+void Forces<T>::measurePower(double time, const VectorField<T>& position, const VectorField<T>& velocity) {
+  takePower(time, position, velocity);
+  if (movingPins_.empty()) return;
+  VectorField<T>& force = kernel_->forceOnPins;
+  runBands(kernel_->task.accumulate, time, position, velocity, force);
+  account_.power.pins = takeFromPins(velocity, force);
+}
+
+template <class T>
+void Forces<T>::takePower(double time, const VectorField<T>& position, const VectorField<T>& velocity) {
+  if (trackDissipation_) account_.power = powerOf(time, position, velocity);
+}
+
+template <class T>
+void Forces<T>::movePins(std::vector<int> particles) {
+  Kernel& k = *kernel_;
+  movingPins_ = std::move(particles);
+  account_.power.pins = 0;
+  if (movingPins_.empty()) return;
+  k.isFreeOrMoves = k.isFree;
+  for (const int pin : movingPins_) k.isFreeOrMoves[static_cast<std::size_t>(layout_.at(pin))] = T(1);
+  if (k.forceOnPins.bytes() == 0) k.forceOnPins = VectorField<T>(layout_);
+}
+
+/// Sets the forces on moving pins to 0, and returns the power that the pins bring by holding against them, W.
+template <class T>
+double Forces<T>::takeFromPins(const VectorField<T>& velocity, VectorField<T>& force) const {
+  double power = 0;
+  for (const int pin : movingPins_) {
+    const Vec3 f = force.get(pin), v = velocity.get(pin);
+    power -= f.x * v.x + f.y * v.y + f.z * v.z;
+    force.set(pin, {});
+  }
+  return power;
+}
+
+template <class T>
+AllTerms::Numbers<T> Forces<T>::numbersAt(double time) const {
+  AllTerms::Numbers<T> numbers = kernel_->task;
+  setMoment<T>(numbers, kernel_->moments.front(), kernel_->scene, time);
+  return numbers;
 }
 
 template <class T>
@@ -279,18 +349,20 @@ StoredEnergy Forces<T>::energy(const State<T>& state) const {
 }
 
 template <class T>
-double Forces<T>::lossPower(const VectorField<T>& position, const VectorField<T>& velocity) const {
+Power Forces<T>::powerOf(double time, const VectorField<T>& position, const VectorField<T>& velocity) const {
   Kernel& k = *kernel_;
-  if (!k.damps) return 0;
+  Power power;
+  if (!k.hasPower) return power;
+  EnergyRow<T> now = k.energyRow;
+  setMoment<double>(now, k.energyMoment, k.scene, time);
   workers_.forBands(layout_.rows, [&](int first, int last, int) {
-    EnergyRow<T> row = k.energyRow;
+    EnergyRow<T> row = now;
     row.position = position.x(), row.velocity = velocity.x();
     for (row.row = first; row.row < last; ++row.row) {
       k.rowPowers[static_cast<std::size_t>(row.row)] = k.kernels.power(row);
     }
   });
-  double power = 0;
-  for (const double row : k.rowPowers) power += row;
+  for (const Power& row : k.rowPowers) power.add(row);
   return power;
 }
 

@@ -1,11 +1,15 @@
-// Forces on the particles of a sheet: all terms that its scene names, and pushes, from positions and velocities.
-// Must not know: time, methods. What a scene does not model costs nothing here.
+// Forces on the particles of a sheet: all terms that its scene names, and pushes, from time, positions and velocities.
+// Must not know: methods. What a scene does not model costs nothing here.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <vector>
 
+#include "core/forces/power.h"
 #include "core/forces/state.h"
+#include "core/forces/step_times.h"
 #include "core/forces/stored_energy.h"
 
 namespace tyg {
@@ -23,26 +27,36 @@ class Forces {
   Forces(const Forces&) = delete;
   Forces& operator=(const Forces&) = delete;
 
-  /// Takes the parameters of this scene, which has the same sheet, from the next evaluation on.
+  /// Takes the parameters of this scene, which has the same sheet, from the next evaluation on. All of its winds blow.
   void useParameters(const Scene& scene);
+  /// From now on these winds blow and no others.
+  void blow(std::span<const Wind> winds);
+  /// These pins move, at the velocities that the state has for them: what they bring is then worked out with every
+  /// evaluation.
+  void movePins(std::vector<int> particles);
 
-  /// Force on every particle at these positions and velocities. Counts as one force evaluation.
-  void evaluate(const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force);
+  /// Force on every particle at this time (s), these positions and velocities. Counts as one force evaluation.
+  void evaluate(double time, const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force);
 
-  /// Whether the fused updates below may be used now: where the ledger follows the dissipation, forces have to be seen
-  /// one evaluation at a time.
-  [[nodiscard]] bool canAdvance() const { return !trackDissipation_; }
+  /// Whether the fused updates below may be used now: where the ledger follows the dissipation, or pins move, forces
+  /// have to be seen one evaluation at a time.
+  [[nodiscard]] bool canAdvance() const { return !trackDissipation_ && movingPins_.empty(); }
   static constexpr int kMostSteps = 64;  ///< of one call
-  /// `count` steps v += h/m F(x, v); x += h v, with the same bits as evaluating and updating step by step.
-  void kickAndDrift(State<T>& state, double h, int count);
-  /// `count` steps v += h/2m F; v += h/2m F; x += h v; predicted = v + h/2m F with F(x, predicted): leapfrog with the
-  /// velocity at half steps. The same bits as step by step.
-  void leapfrog(State<T>& state, VectorField<T>& predicted, double h, int count);
+  /// `count` steps v += h/m F(t, x, v); x += h v, with the same bits as evaluating and updating step by step. `times`
+  /// says when each of them evaluates its force.
+  void kickAndDrift(State<T>& state, double h, const StepTimes& times, int count);
+  /// `count` steps v += h/2m F; v += h/2m F; x += h v; predicted = v + h/2m F with F(t, x, predicted): leapfrog with
+  /// the velocity at half steps. The same bits as step by step. The force is that of the end of each step of `times`.
+  void leapfrog(State<T>& state, VectorField<T>& predicted, const StepTimes& times, int count);
 
   /// Everything but the springs, for methods that treat these in a way of their own. No force evaluation.
-  void evaluateWithoutSprings(const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force);
-  /// Works out the power of this state for the ledger, where it is wanted, as an evaluation would.
-  void measurePower(const VectorField<T>& position, const VectorField<T>& velocity);
+  void evaluateWithoutSprings(double time, const VectorField<T>& position, const VectorField<T>& velocity,
+                              VectorField<T>& force);
+  /// Works out the power of this state, where it is wanted, as an evaluation would.
+  void measurePower(double time, const VectorField<T>& position, const VectorField<T>& velocity);
+
+  /// What the terms know of the sheet at this time, for methods that solve with them. Valid until the next evaluation.
+  [[nodiscard]] AllTerms::Numbers<T> numbersAt(double time) const;
 
   /// 1 for a particle that moves, 0 for a pinned one; the index is that of the planes of a field.
   [[nodiscard]] const T* freeMask() const;
@@ -58,24 +72,25 @@ class Forces {
 
   /// Energies of this state. Sums run row by row in one fixed order.
   [[nodiscard]] StoredEnergy energy(const State<T>& state) const;
-  /// W that damping takes from the cloth at these positions and velocities, >= 0. No force evaluation.
-  [[nodiscard]] double lossPower(const VectorField<T>& position, const VectorField<T>& velocity) const;
+  /// What damping takes from the cloth and terms bring to it at this time, these positions and velocities, W. Pins are
+  /// not counted. No force evaluation.
+  [[nodiscard]] Power powerOf(double time, const VectorField<T>& position, const VectorField<T>& velocity) const;
 
-  /// With `on`, every evaluation also works out the power that damping takes from the cloth.
+  /// With `on`, every evaluation also works out the power of damping and of terms.
   void trackDissipation(bool on) { trackDissipation_ = on; }
-  /// The last evaluation counts for `seconds` in the integral of the dissipated power. Methods call it with their own
-  /// quadrature weights, so that the ledger closes to the method's own order.
-  void dissipate(double seconds) { addDissipated(seconds * power()); }
+  /// The power of the last evaluation counts for `seconds` in its integral. Methods call it with their own quadrature
+  /// weights, so that the ledger closes to the method's own order.
+  void addPower(double seconds) { account_.energy.add(account_.power, seconds); }
   /// The same in two parts, for methods that may yet reject a step.
-  [[nodiscard]] double power() const { return account_.power; }  ///< W, at the last evaluation
-  void addDissipated(double joules) { account_.dissipated += joules; }
-  [[nodiscard]] double dissipated() const { return account_.dissipated; }  ///< J, so far
+  [[nodiscard]] const Power& power() const { return account_.power; }  ///< W, at the last evaluation
+  void addEnergy(const Power& joules) { account_.energy.add(joules); }
+  [[nodiscard]] const Power& energyOfPower() const { return account_.energy; }  ///< J, so far
 
   /// What is counted along the way, to be saved and restored together with a state.
   struct Account {
     std::int64_t evaluations = 0;
-    double power = 0;       ///< W, at the last evaluation
-    double dissipated = 0;  ///< J
+    Power power;   ///< W, at the last evaluation
+    Power energy;  ///< J, its integral so far
   };
   [[nodiscard]] const Account& account() const { return account_; }
   void setAccount(const Account& account) { account_ = account; }
@@ -83,14 +98,19 @@ class Forces {
  private:
   struct Kernel;
   template <class Loop>
-  void runBands(Loop accumulate, const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force);
-  template <class Task>
-  void advance(Task task, Update update, State<T>& state, double h, int count);
+  void runBands(Loop accumulate, double time, const VectorField<T>& position, const VectorField<T>& velocity,
+                VectorField<T>& force);
+  template <class Task, class TimeOf>
+  void advance(Task task, Update update, State<T>& state, double h, int count, TimeOf timeOf);
   Layout layout_;
   Workers& workers_;
   double inverseMass_;
   std::unique_ptr<Kernel> kernel_;
+  void takePower(double time, const VectorField<T>& position, const VectorField<T>& velocity);
+  double takeFromPins(const VectorField<T>& velocity, VectorField<T>& force) const;
+
   bool trackDissipation_ = false;
+  std::vector<int> movingPins_;
   Account account_;
 };
 

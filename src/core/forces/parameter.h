@@ -27,6 +27,8 @@ struct Parameter {
   Vec3 (*get)(const Scene& scene);  ///< a single number is x
   void (*set)(Scene& scene, const Vec3& value);
   Role role = Role::Other;
+  bool required = false;        ///< where a scene has the table of its term
+  bool decidesPresence = true;  ///< 0 leaves the term out; false: it only says how the term acts
   bool isShareOfSheet = false;  ///< a particle's share of what the whole sheet has, as its mass is
   double mostByHand = 0;        ///< the largest size that a panel lets a person set, > 0 for terms
   int digits = 0;               ///< that a panel shows

@@ -42,6 +42,9 @@ TYG_INLINE Eight operator/(const Eight& a, const Eight& b) {
 TYG_INLINE Eight operator*(double a, const Eight& b) {
   return partByPart([&](int k) { return a * b.part[k]; });
 }
+TYG_INLINE Eight operator-(const Eight& a) {
+  return partByPart([&](int k) { return -a.part[k]; });
+}
 TYG_INLINE Eight larger(const Eight& a, const Eight& b) {
   return partByPart([&](int k) { return a.part[k] > b.part[k] ? a.part[k] : b.part[k]; });
 }
@@ -74,7 +77,35 @@ TYG_INLINE EightVectors differences(const T* planes, std::ptrdiff_t plane, std::
   const EightVectors to = eightVectors(planes + b, plane), from = eightVectors(planes + a, plane);
   return {to.x - from.x, to.y - from.y, to.z - from.z};
 }
+TYG_INLINE EightVectors operator+(const EightVectors& a, const EightVectors& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+TYG_INLINE EightVectors operator-(const EightVectors& a, const EightVectors& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+TYG_INLINE EightVectors operator*(const Eight& s, const EightVectors& a) { return {s * a.x, s * a.y, s * a.z}; }
 TYG_INLINE Eight dotOf(const EightVectors& a, const EightVectors& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+
+/// Arithmetic for terms, as LaneMath has it.
+struct EightMath {
+  TYG_INLINE static Eight all(double number) {
+    return partByPart([&](int) { return Lanes<double>{} + number; });
+  }
+  TYG_INLINE static EightVectors all3(const double (&numbers)[3]) {
+    return {all(numbers[0]), all(numbers[1]), all(numbers[2])};
+  }
+  TYG_INLINE static EightVectors none() { return {all(0), all(0), all(0)}; }
+  TYG_INLINE static Eight tiny() { return all(kTiny<double>); }
+  TYG_INLINE static Eight root(const Eight& a) { return squareRoots(a); }
+  TYG_INLINE static Eight size(const Eight& a) { return larger(a, -a); }
+  TYG_INLINE static Eight nearestWhole(const Eight& a) {
+    return partByPart([&](int k) { return LaneMath<double>::nearestWhole(a.part[k]); });
+  }
+  TYG_INLINE static Eight dot(const EightVectors& a, const EightVectors& b) { return dotOf(a, b); }
+  TYG_INLINE static EightVectors cross(const EightVectors& a, const EightVectors& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
+};
 
 /// Calls `visit(law, a, b, n)` for the runs of springs that start in this row: n springs from a+k to b+k.
 template <class T, class Visit>
@@ -130,6 +161,9 @@ double elasticOfRun(const EnergyRow<T>& in, const SpringLaw<double>& law, std::p
 template <class T>
 class RowOfTerms {
  public:
+  using Vector = EightVectors;
+  [[nodiscard]] static EightMath math() { return {}; }
+
   explicit RowOfTerms(const EnergyRow<T>& in)
       : position_(in.position + in.row * in.stride),
         velocity_(in.velocity + in.row * in.stride),
@@ -187,14 +221,18 @@ StoredEnergy energyOfRow(const EnergyRow<T>& given) {
   return sum;
 }
 
-/// Power that the terms and the springs' damping take: kd |dv|^2 of every spring (axial: its part along the spring).
+/// Power that the terms bring, and that they and the springs' damping take: kd |dv|^2 of every spring (axial: its part
+/// along the spring).
 template <class T>
-double powerOfRow(const EnergyRow<T>& given) {
+Power powerOfRow(const EnergyRow<T>& given) {
   const EnergyRow<T> in = given;
   const RowOfTerms<T> row(in);
+  Power power;
   double sum = 0;
+  std::size_t supply = 0;
   AllTerms::forEach([&]<class Term>() {
     if constexpr (requires { Term::template powerIn<RowOfTerms<T>>; }) sum += Term::powerIn(row, numbersOf<Term>(in));
+    if constexpr (requires { Term::kSupply; }) power.supplied[supply++] = Term::supplyIn(row, numbersOf<Term>(in));
   });
   const Eight tiny = partByPart([](int) { return Lanes<double>{} + 1e-300; });
   forSpringRuns(in, [&](const SpringLaw<double>& law, std::ptrdiff_t a, std::ptrdiff_t b, int n) {
@@ -207,7 +245,8 @@ double powerOfRow(const EnergyRow<T>& given) {
              return along * along / (dotOf(d, d) + tiny);
            });
   });
-  return sum;
+  power.lost = sum;
+  return power;
 }
 
 }  // namespace

@@ -153,11 +153,27 @@ TYG_INLINE const typename Term::template Numbers<T>& numbersOf(const RowTask<T>&
   return task;
 }
 
-/// The corners of a cell: a particle, its right neighbour, and the two below them.
-template <class Vector>
-struct Corners {
-  Vector here, right, below, belowRight;
+/// Arithmetic for terms that see whole registers.
+template <class T>
+struct LaneMath {
+  TYG_INLINE static Lanes<T> all(T number) { return Lanes<T>{} + number; }
+  TYG_INLINE static Vec<T> all3(const T (&numbers)[3]) { return {all(numbers[0]), all(numbers[1]), all(numbers[2])}; }
+  TYG_INLINE static Vec<T> none() { return {all(0), all(0), all(0)}; }
+  TYG_INLINE static Lanes<T> tiny() { return all(kTiny<T>); }
+  TYG_INLINE static Lanes<T> root(const Lanes<T>& a) { return squareRoots<T>(a); }
+  TYG_INLINE static Lanes<T> size(const Lanes<T>& a) { return a < 0 ? -a : a; }
+  /// The nearest whole number to one far below 1 / epsilon: what is left after adding a number of which only whole
+  /// parts can be told apart.
+  TYG_INLINE static Lanes<T> nearestWhole(const Lanes<T>& a) {
+    constexpr T kWhole = sizeof(T) == sizeof(float) ? T(12582912) : T(6755399441055744);  // 1.5 / epsilon
+    return (a + kWhole) - kWhole;
+  }
+  TYG_INLINE static Lanes<T> dot(const Vec<T>& a, const Vec<T>& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+  TYG_INLINE static Vec<T> cross(const Vec<T>& a, const Vec<T>& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
 };
+
 template <class T>
 TYG_INLINE Corners<Vec<T>> corners(const T* planes, const RowTask<T>& task, std::ptrdiff_t a) {
   const std::ptrdiff_t below = a + task.stride;
@@ -170,7 +186,7 @@ template <class CellTerms, class T, class Exists>
 TYG_INLINE Vec<T> cellForce(const RowTask<T>& task, const Exists& exists, std::ptrdiff_t a) {
   Vec<T> sum{};
   const Corners<Vec<T>> x = corners(task.position, task, a), v = corners(task.velocity, task, a);
-  CellTerms::forEach([&]<class Term>() { sum = sum + Term::cornerForce(x, v, numbersOf<Term>(task)); });
+  CellTerms::forEach([&]<class Term>() { sum = sum + Term::cornerForce(LaneMath<T>{}, x, v, numbersOf<Term>(task)); });
   return exists * sum;
 }
 

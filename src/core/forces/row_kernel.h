@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "core/forces/power.h"
 #include "core/forces/stored_energy.h"
 #include "core/forces/terms/all_terms.h"
 
@@ -93,7 +94,7 @@ struct RowKernels {
   AccumulateRow<T> accumulate[subsetsOf(TermPlace::Cells)][8][3];  ///< by cell terms, families and damping term
   FinishForces<T> finish[3][subsetsOf(TermPlace::Particles)][2];   ///< by update, terms, and whether pushes act
   StoredEnergy (*energy)(const EnergyRow<T>&);                     ///< kinetic: of particles of 1 kg
-  double (*power)(const EnergyRow<T>&);                            ///< W taken by damping
+  Power (*power)(const EnergyRow<T>&);                             ///< pins not counted
 };
 /// The kernels of the level in use.
 template <class T>

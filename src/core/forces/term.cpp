@@ -30,12 +30,13 @@ std::span<const ForceTerm* const> forceTerms() { return kTerms; }
 std::span<const EnergyStore> energyStores() { return std::span(kStores.list).first(kStores.count); }
 
 bool hasTerm(const Scene& scene, const ForceTerm& term) {
-  return std::ranges::any_of(term.parameters,
-                             [&](const Parameter& parameter) { return parameter.get(scene) != Vec3{}; });
+  return std::ranges::any_of(term.parameters, [&](const Parameter& parameter) {
+    return parameter.decidesPresence && parameter.get(scene) != Vec3{};
+  });
 }
 
 void leaveOut(Scene& scene, const ForceTerm& term) {
-  clear(scene, term, [](const Parameter& /*any*/) { return true; });
+  clear(scene, term, [](const Parameter& parameter) { return parameter.decidesPresence; });
 }
 
 double particleDamping(const Scene& scene) {
@@ -44,6 +45,23 @@ double particleDamping(const Scene& scene) {
     if (term->particleDamping != nullptr) sum += term->particleDamping(scene);
   }
   return sum;
+}
+
+double cellDamping(const Scene& scene) {
+  double sum = 0;
+  for (const ForceTerm* term : forceTerms()) {
+    if (term->cellDamping != nullptr) sum += term->cellDamping(scene);
+  }
+  return sum;
+}
+
+bool canSupply(const Scene& scene, std::size_t k) {
+  std::size_t supply = 0;
+  bool can = false;
+  AllTerms::forEach([&]<class Term>() {
+    if constexpr (requires { Term::kSupply; }) can = can || (supply++ == k && Term::kTerm.canSupply(scene));
+  });
+  return can;
 }
 
 Vec3 steadyForce(const Scene& scene) {

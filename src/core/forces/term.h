@@ -2,6 +2,7 @@
 // Must not know: how forces are computed.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -12,7 +13,7 @@
 
 namespace tyg {
 
-/// One term of the force. A scene has it where one of its parameters is not 0.
+/// One term of the force. A scene has it where one of the parameters that decide so is not 0.
 struct ForceTerm {
   std::string_view name;  ///< as people read it
   std::span<const Parameter> parameters;
@@ -20,6 +21,10 @@ struct ForceTerm {
   bool mayBeLeftOut = true;        ///< is a leaner model of the same cloth thinkable without it?
   /// N s/m by which it resists every motion of a particle alike; null: not at all.
   double (*particleDamping)(const Scene& scene) = nullptr;
+  /// N s/m by which it resists the motion of a cell along its normal, at most; null: not at all.
+  double (*cellDamping)(const Scene& scene) = nullptr;
+  /// Whether it can bring energy to the cloth by itself; null: never.
+  bool (*canSupply)(const Scene& scene) = nullptr;
   /// N by which it pulls every particle alike, wherever that is; null: not at all.
   Vec3 (*steadyForce)(const Scene& scene) = nullptr;
 };
@@ -35,6 +40,10 @@ void leaveOut(Scene& scene, const ForceTerm& term);
 
 /// N s/m by which all terms together resist every motion of a particle alike.
 double particleDamping(const Scene& scene);
+/// N s/m by which all terms together resist the motion of a cell along its normal, at most.
+double cellDamping(const Scene& scene);
+/// Whether the k-th of kSupplies can bring energy to the cloth.
+bool canSupply(const Scene& scene, std::size_t k);
 /// N by which all terms together pull every particle alike.
 Vec3 steadyForce(const Scene& scene);
 /// Does the scene have any damping, of springs or of particles?

@@ -2,6 +2,7 @@
 // Must not know: what a simulation does with a scene.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -69,7 +70,12 @@ void readTerm(SceneTable& table, const ForceTerm& term, Scene& scene) {
 void readTerms(SceneTable table, std::string_view name, Scene& scene) {
   if (name == kSpringsTable) table.choice("damping", scene.damping, {"relative", "axial"});
   for (const ForceTerm* term : forceTerms()) {
-    if (partsOf(term->parameters.front().key).table == name) readTerm(table, *term, scene);
+    if (partsOf(term->parameters.front().key).table != name) continue;
+    readTerm(table, *term, scene);
+    for (const Parameter& parameter : term->parameters) {
+      const std::string_view key = partsOf(parameter.key).last;
+      if (parameter.required && !table.has(key)) table.refuse(key, "nothing, and it is required", "a number");
+    }
   }
   table.finish();
 }
@@ -80,6 +86,39 @@ Displacement readDisplacement(SceneTable table, const Sheet& sheet) {
   table.vector("by", displacement.by);
   table.finish({"particle", "by"});
   return displacement;
+}
+
+Wind readWind(SceneTable table) {
+  Wind wind;
+  table.vector("velocity", wind.velocity);
+  table.vector("gust", wind.gust);
+  table.number("wavelength", wind.wavelength, Allowed::Positive);
+  table.number("at", wind.at, Allowed::NotNegative);
+  table.number("for", wind.duration, Allowed::NotNegative);
+  table.finish({"velocity"});
+  if (wind.gust == Vec3{}) return wind;
+  if (wind.velocity == Vec3{}) table.refuse("gust", "a gust without a velocity that it travels with", "both");
+  if (!table.has("wavelength")) table.refuse("gust", "a gust without a wavelength", "both");
+  return wind;
+}
+
+Move readMove(SceneTable table, const Sheet& sheet) {
+  Move move;
+  table.particleSetOrSets("what", sheet, move.what);
+  table.vector("velocity", move.velocity);
+  table.number("at", move.at, Allowed::NotNegative);
+  table.number("for", move.duration, Allowed::NotNegative);
+  table.finish({"what", "velocity", "at", "for"});
+  for (const Place& place : move.what) {
+    for (const int particle : particlesAt(sheet, place)) {
+      if (std::ranges::binary_search(sheet.pins, particle)) continue;
+      table.refuse(
+          "what",
+          fmt::format("particle [{}, {}], which is not pinned", particle % sheet.columns, particle / sheet.columns),
+          "pinned particles");
+    }
+  }
+  return move;
 }
 
 Push readPush(SceneTable table, const Sheet& sheet) {
@@ -116,7 +155,8 @@ void readRoot(SceneTable root, Scene& scene, std::span<const std::string_view> m
   const auto sheetTable = root.table("sheet");
   std::vector<std::pair<std::string_view, std::optional<SceneTable>>> ofTerms;
   for (const std::string_view name : tablesOfTerms()) ofTerms.emplace_back(name, root.table(name));
-  const auto displacements = root.tables("displace"), pushes = root.tables("push");
+  const auto winds = root.tables("wind"), displacements = root.tables("displace"), pushes = root.tables("push");
+  const auto moves = root.tables("move");
   const auto run = root.table("run");
   root.finish({"title", "sheet", "run"});
 
@@ -127,6 +167,9 @@ void readRoot(SceneTable root, Scene& scene, std::span<const std::string_view> m
   const Sheet sheet = makeSheet(scene);
   for (const SceneTable& table : displacements) scene.displacements.push_back(readDisplacement(table, sheet));
   for (const SceneTable& table : pushes) scene.pushes.push_back(readPush(table, sheet));
+  for (const SceneTable& table : moves) scene.moves.push_back(readMove(table, sheet));
+  for (const SceneTable& table : winds) scene.winds.push_back(readWind(table));
+  if (!winds.empty() && !root.has("air")) root.refuse("wind", "[[wind]] without [air]", "both, or neither");
   readRun(*run, scene, methods);
 }
 

@@ -42,6 +42,7 @@ Scene withSheet(Scene scene, int columns, int rows) {
   for (Place& pin : scene.pins) rescale(pin);
   for (Displacement& displacement : scene.displacements) rescale(displacement.particle);
   for (Push& push : scene.pushes) rescale(push.particle);
+  for (Move& move : scene.moves) std::ranges::for_each(move.what, rescale);
 
   const double oldCount = double(scene.columns) * scene.rows, newCount = double(columns) * rows;
   scene.spacing *= double(oldLongest - 1) / (newLongest - 1);

@@ -149,14 +149,25 @@ void SceneTable::particleSets(std::string_view key, const Sheet& sheet, std::vec
   if (value == nullptr) return;
   const toml::array* array = value->as_array();
   if (array == nullptr) refuseValue(*value);
-  for (const toml::node& element : *array) {
-    out.push_back(place(element));
-    try {
-      (void)particlesAt(sheet, out.back());
-    } catch (const InputError& mistake) {
-      refuseLine(element, mistake.what());
-    }
+  for (const toml::node& element : *array) out.push_back(knownPlace(element, sheet));
+}
+
+void SceneTable::particleSetOrSets(std::string_view key, const Sheet& sheet, std::vector<Place>& out) {
+  const toml::node* value = ask(key, kPlaces);
+  if (value == nullptr) return;
+  const toml::array* array = value->as_array();
+  if (array == nullptr || array->is_homogeneous<std::int64_t>()) return out.push_back(knownPlace(*value, sheet));
+  for (const toml::node& element : *array) out.push_back(knownPlace(element, sheet));
+}
+
+Place SceneTable::knownPlace(const toml::node& value, const Sheet& sheet) const {
+  Place found = place(value);
+  try {
+    (void)particlesAt(sheet, found);
+  } catch (const InputError& mistake) {
+    refuseLine(value, mistake.what());
   }
+  return found;
 }
 
 std::optional<SceneTable> SceneTable::table(std::string_view key) {

@@ -36,6 +36,8 @@ class SceneTable {
   }
   void particle(std::string_view key, const Sheet& sheet, Place& out);
   void particleSets(std::string_view key, const Sheet& sheet, std::vector<Place>& out);
+  /// The same, where a single particle or set may stand alone.
+  void particleSetOrSets(std::string_view key, const Sheet& sheet, std::vector<Place>& out);
   std::optional<SceneTable> table(std::string_view key);
   std::vector<SceneTable> tables(std::string_view key);
 
@@ -54,6 +56,7 @@ class SceneTable {
   [[noreturn]] void refuseValue(const toml::node& value) const;
   [[noreturn]] void refuseLine(const toml::node& value, const std::string& foundAndAllowed) const;
   [[nodiscard]] Place place(const toml::node& value) const;
+  [[nodiscard]] Place knownPlace(const toml::node& value, const Sheet& sheet) const;
   [[nodiscard]] SceneTable inner(std::string_view key, const toml::node& value) const;
 
   const toml::table* table_;

@@ -96,7 +96,11 @@ std::string valueText(const Parameter& parameter, const Scene& scene) {
 /// The parameters of a term, but for those of an empty world; where they have a table of their own, all or none.
 void writeTerm(Writer& out, const ForceTerm& term, const Scene& scene) {
   static const Scene kEmptyWorld;
-  const auto isOwn = [&](const Parameter& parameter) { return parameter.get(scene) != parameter.get(kEmptyWorld); };
+  const bool isThere = hasTerm(scene, term);
+  const auto isOwn = [&](const Parameter& parameter) {
+    if (!isThere && !parameter.decidesPresence) return false;
+    return parameter.get(scene) != parameter.get(kEmptyWorld) || (isThere && parameter.required);
+  };
   const std::string_view inner = partsOf(term.parameters.front().key).inner;
   if (inner.empty()) {
     for (const Parameter& parameter : term.parameters) {
@@ -127,6 +131,21 @@ void writeEvents(Writer& out, const Scene& scene) {
     out.table("[[displace]]");
     out.line("particle", placeText(displacement.particle));
     out.line("by", vectorText(displacement.by), "m");
+  }
+  for (const Wind& wind : scene.winds) {
+    out.table("[[wind]]");
+    out.line("velocity", vectorText(wind.velocity), "m/s");
+    if (wind.gust != Vec3{}) out.line("gust", vectorText(wind.gust), "m/s");
+    if (wind.wavelength > 0) out.line("wavelength", numberText(wind.wavelength), "m");
+    if (wind.at != 0) out.line("at", numberText(wind.at), "s");
+    if (std::isfinite(wind.duration)) out.line("for", numberText(wind.duration), "s");
+  }
+  for (const Move& move : scene.moves) {
+    out.table("[[move]]");
+    out.line("what", "[" + joined(move.what, placeText) + "]");
+    out.line("velocity", vectorText(move.velocity), "m/s");
+    out.line("at", numberText(move.at), "s");
+    out.line("for", numberText(move.duration), "s");
   }
   for (const Push& push : scene.pushes) {
     out.table("[[push]]");

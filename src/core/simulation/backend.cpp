@@ -39,28 +39,40 @@ class BackendOf final : public Backend {
   void useLiveParameters() override {
     integrator_->useParameters(scene_, sheet_);  // first: it may refuse
     forces_.useParameters(scene_);
+    forces_.blow(blowing_);
     if (spectrum_) spectrum_->useParameters(scene_);
   }
-  void steps(double h, int count) override { integrator_->steps(forces_, state_, h, count); }
-  double stepWithin(double most, double tolerance) override {
-    return integrator_->stepWithin(forces_, state_, most, tolerance);
+  void steps(const StepTimes& times, int count) override { integrator_->steps(forces_, state_, times, count); }
+  double stepWithin(double time, double most, double tolerance) override {
+    return integrator_->stepWithin(forces_, state_, time, most, tolerance);
   }
+  void blow(const std::vector<Wind>& winds) override {
+    blowing_ = winds;
+    forces_.blow(blowing_);
+  }
+  void placePin(int particle, const Vec3& position, const Vec3& velocity) override {
+    state_.position.set(particle, position);
+    state_.velocity.set(particle, velocity);
+  }
+  void movePins(std::vector<int> particles) override { forces_.movePins(std::move(particles)); }
   void clearPushes() override { forces_.clearPushes(); }
   void addPush(int particle, const Vec3& force) override { forces_.addPush(particle, force); }
   void reset() override { integrator_->reset(); }
-  void trackDissipation(bool on) override {
+  void trackDissipation(bool on, double time) override {
     forces_.trackDissipation(on);
-    forces_.measurePower(state_.position, state_.velocity);  // methods that keep a force begin with its power
+    forces_.measurePower(time, state_.position, state_.velocity);  // methods that keep a force begin with its power
   }
 
-  double liveStableStep(const Method& method) override {
+  double liveStableStep(const Method& method, double time) override {
     if (!spectrum_) spectrum_.emplace(scene_, sheet_, workers_);
-    return spectrum_->stableStep(method, state_);
+    return spectrum_->stableStep(method, state_, time);
   }
   [[nodiscard]] StoredEnergy energy() const override { return forces_.energy(state_); }
   [[nodiscard]] StoredEnergy startEnergy() const override { return forces_.energy(displacedStart<T>(scene_, sheet_)); }
-  [[nodiscard]] double lossPower() const override { return forces_.lossPower(state_.position, state_.velocity); }
-  [[nodiscard]] double dissipated() const override { return forces_.dissipated(); }
+  [[nodiscard]] Power power(double time) const override {
+    return forces_.powerOf(time, state_.position, state_.velocity);
+  }
+  [[nodiscard]] Power energyOfPower() const override { return forces_.energyOfPower(); }
   [[nodiscard]] std::int64_t evaluations() const override { return forces_.evaluations(); }
   [[nodiscard]] Vec3 position(int particle) const override { return state_.position.get(particle); }
   [[nodiscard]] Vec3 velocity(int particle) const override { return state_.velocity.get(particle); }
@@ -101,6 +113,7 @@ class BackendOf final : public Backend {
 
   const Scene& scene_;
   const Sheet& sheet_;
+  std::vector<Wind> blowing_;
   State<T> state_;
   Workers& workers_;
   Forces<T> forces_;

@@ -23,25 +23,31 @@ class Backend {
   virtual void useMethod(const Method& method) = 0;
   /// The scene has other live parameters now. Changes nothing where the method refuses them by throwing InputError.
   virtual void useLiveParameters() = 0;
-  /// `count` steps of h seconds, 1 to 64.
-  virtual void steps(double h, int count) = 0;
+  // Times are those of the state, s, where nothing else is said.
+  /// `count` such steps, 1 to 64.
+  virtual void steps(const StepTimes& times, int count) = 0;
   /// See Integrator::stepWithin.
-  virtual double stepWithin(double most, double tolerance) = 0;
+  virtual double stepWithin(double time, double most, double tolerance) = 0;
+  /// From now on these winds blow.
+  virtual void blow(const std::vector<Wind>& winds) = 0;
+  /// Puts a pin there with this velocity, and says which pins move from now on.
+  virtual void placePin(int particle, const Vec3& position, const Vec3& velocity) = 0;
+  virtual void movePins(std::vector<int> particles) = 0;
   virtual void clearPushes() = 0;
   virtual void addPush(int particle, const Vec3& force) = 0;
-  /// To be called after any edit of pushes or state.
+  /// To be called after any edit of pushes, winds or state.
   virtual void reset() = 0;
 
   /// See Simulation::liveStableStep.
-  virtual double liveStableStep(const Method& method) = 0;
+  virtual double liveStableStep(const Method& method, double time) = 0;
   /// See Forces::trackDissipation.
-  virtual void trackDissipation(bool on) = 0;
+  virtual void trackDissipation(bool on, double time) = 0;
   [[nodiscard]] virtual StoredEnergy energy() const = 0;
   /// Energies of the start shape with the parameters of now.
   [[nodiscard]] virtual StoredEnergy startEnergy() const = 0;
-  /// See Forces::lossPower.
-  [[nodiscard]] virtual double lossPower() const = 0;
-  [[nodiscard]] virtual double dissipated() const = 0;
+  /// See Forces::powerOf and Forces::energyOfPower.
+  [[nodiscard]] virtual Power power(double time) const = 0;
+  [[nodiscard]] virtual Power energyOfPower() const = 0;
   [[nodiscard]] virtual std::int64_t evaluations() const = 0;
   [[nodiscard]] virtual Vec3 position(int particle) const = 0;
   [[nodiscard]] virtual Vec3 velocity(int particle) const = 0;

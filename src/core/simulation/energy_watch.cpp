@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/forces/term.h"
+
 namespace tyg {
 
 void EnergyWatch::turn(Status status, double time) {
@@ -13,24 +15,28 @@ void EnergyWatch::turn(Status status, double time) {
 void EnergyWatch::check(const EnergySample& sample) {
   const StoredEnergy energy = sample.stored.since(start_);
   maxStretch_ = std::max(maxStretch_, energy.maxStretch);
-  turn(alarm_.check(energy, sample.work), sample.time);
+  turn(alarm_.check(energy, sample.work()), sample.time);
 }
 
 double EnergyWatch::sum(const EnergySample& sample) const {
-  return mechanical(sample.stored) + sample.dissipated - sample.work;
+  return mechanical(sample.stored) + sample.passed.lost - sample.work();
 }
 
 Ledger EnergyWatch::ledger(const EnergySample& sample) {
   check(sample);
   Ledger ledger{.kinetic = sample.stored.kinetic,
-                .dissipated = sample.dissipated,
+                .dissipated = sample.passed.lost,
                 .scale = alarm_.scale(),
                 .storedRise = alarm_.storedRise(),
                 .balanceRise = alarm_.balanceRise(),
                 .maxStretch = maxStretch_};
   const StoredEnergy energy = sample.stored.since(start_);
   for (std::size_t k = 0; k < kStores.count; ++k) ledger.stored.add(kStores.list[k].name, energy.stored[k]);
-  ledger.work.add("pushes", sample.work);
+  ledger.work.add("pushes", sample.pushes);
+  for (std::size_t k = 0; k < kSupplies.size(); ++k) {
+    if (named_.supplies[k]) ledger.work.add(kSupplies[k], sample.passed.supplied[k]);
+  }
+  if (named_.pins) ledger.work.add("pins", sample.passed.pins);
   if (followsLedger_ && ledger.scale > 0) ledger.drift = (sum(sample) - startSum_) / ledger.scale;
   return ledger;
 }
@@ -42,8 +48,16 @@ void EnergyWatch::followLedger(bool on, const EnergySample& sample) {
   followsLedger_ = on;
 }
 
+EnergyWatch::Named EnergyWatch::namedIn(const Scene& scene) {
+  Named named;
+  for (std::size_t k = 0; k < kSupplies.size(); ++k) named.supplies[k] = canSupply(scene, k);
+  named.pins = !scene.moves.empty();
+  return named;
+}
+
 void EnergyWatch::begin(const Scene& scene, const Sheet& sheet, const StoredEnergy& start, const StoredEnergy& now) {
   start_ = start;
+  named_ = namedIn(scene);
   alarm_ = makeAlarm(scene, sheet, now);
 }
 

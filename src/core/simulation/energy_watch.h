@@ -2,6 +2,7 @@
 // checkpoint is a copy. Must not know: where the energies come from, how steps are made.
 #pragma once
 
+#include <array>
 #include <limits>
 
 #include "core/simulation/alarm.h"
@@ -12,9 +13,16 @@ namespace tyg {
 /// The energies of a run at one moment, J.
 struct EnergySample {
   StoredEnergy stored{};
-  double work = 0;        ///< put in so far
-  double dissipated = 0;  ///< so far
-  double time = 0;        ///< s
+  double pushes = 0;  ///< put in by pushes so far
+  Power passed{};     ///< what was lost, and what terms and pins have brought, so far
+  double time = 0;    ///< s
+
+  /// All that was put in so far.
+  [[nodiscard]] double work() const {
+    double sum = pushes + passed.pins;
+    for (const double supplied : passed.supplied) sum += supplied;
+    return sum;
+  }
 };
 
 class EnergyWatch {
@@ -24,6 +32,7 @@ class EnergyWatch {
       : alarm_(makeAlarm(scene, sheet, start)),
         start_(start),
         startSum_(start.withNaturalZero()),
+        named_(namedIn(scene)),
         followsLedger_(followsLedger) {}
 
   /// An energy check: moves the alarm and the largest stretch.
@@ -59,8 +68,16 @@ class EnergyWatch {
   double alarmTime_ = std::numeric_limits<double>::quiet_NaN();
   bool gaveUp_ = false;
   double maxStretch_ = 0;
+  /// What can do work in a scene besides pushes.
+  struct Named {
+    std::array<bool, kSupplies.size()> supplies{};
+    bool pins = false;
+  };
+  static Named namedIn(const Scene& scene);
+
   StoredEnergy start_;  // of the start shape
   double startSum_;     // J, of the ledger
+  Named named_;
   bool followsLedger_;
 };
 

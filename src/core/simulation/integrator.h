@@ -9,23 +9,24 @@
 
 namespace tyg {
 
-/// Turns the state at t into the state at t + h. Owns its scratch memory and allocates nothing in step(), but for what
-/// a library needs to solve equations and for what a new step length asks.
+/// Turns the state at time t into the state at t + h (s). Owns its scratch memory and allocates nothing in step(), but
+/// for what a library needs to solve equations and for what a new step length asks.
 template <class T>
 class Integrator {
  public:
   virtual ~Integrator() = default;
   /// One step of h seconds (> 0). The forces hold constant parameters during the step.
-  virtual void step(Forces<T>& forces, State<T>& state, double h) = 0;
+  /// Every force is evaluated at its own time: t for the state, and t plus the stage's share of h for a stage.
+  virtual void step(Forces<T>& forces, State<T>& state, double t, double h) = 0;
   /// `count` such steps, 1 to Forces::kMostSteps. The bits are those of step() again and again; methods whose force,
   /// kick and drift fit in one pass over the rows do better.
-  virtual void steps(Forces<T>& forces, State<T>& state, double h, int count) {
-    for (int k = 0; k < count; ++k) step(forces, state, h);
+  virtual void steps(Forces<T>& forces, State<T>& state, const StepTimes& times, int count) {
+    for (int k = 0; k < count; ++k) step(forces, state, times.at(k), times.h);
   }
   /// Adaptive methods: one accepted step of at most `most` seconds whose estimated error is within `tolerance` metres
   /// (> 0); returns the step taken. Others take the whole of `most`.
-  virtual double stepWithin(Forces<T>& forces, State<T>& state, double most, double /*tolerance*/) {
-    step(forces, state, most);
+  virtual double stepWithin(Forces<T>& forces, State<T>& state, double t, double most, double /*tolerance*/) {
+    step(forces, state, t, most);
     return most;
   }
   /// Forgets what was kept from the last step. To be called after every change of the state or of the forces from

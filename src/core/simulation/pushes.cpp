@@ -11,29 +11,36 @@ namespace {
 
 double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
+bool isPinned(const Sheet& sheet, int particle) { return std::ranges::binary_search(sheet.pins, particle); }
+
 }  // namespace
 
 bool Pushes::Push::actsAt(const Instant& now) const {
   if (const auto* ticks = std::get_if<Ticks>(&when)) return ticks->first <= now.tick && now.tick < ticks->end;
-  const double soon = now.time + now.sameTime;
   const auto& times = std::get<Times>(when);
-  return times.begin <= soon && soon < times.end;
+  return now.isWithin(times.begin, times.end - times.begin);
 }
 
 double Pushes::Push::workUpTo(const Vec3& here) const {
+  if (isIgnored) return 0;
   return dot(force, {here.x - from.x, here.y - from.y, here.z - from.z});
 }
 
 Pushes::Pushes(const Scene& scene, const Sheet& sheet) {
   for (const tyg::Push& push : scene.pushes) {
-    pushes_.push_back({.particle = particleAt(sheet, push.particle),
+    const int particle = particleAt(sheet, push.particle);
+    pushes_.push_back({.particle = particle,
                        .force = push.force,
-                       .when = Times{push.at, push.at + push.duration}});
+                       .when = Times{push.at, push.at + push.duration},
+                       .isIgnored = isPinned(sheet, particle)});
   }
 }
 
-void Pushes::add(int particle, const Vec3& force, std::int64_t firstTick, std::int64_t endTick) {
-  pushes_.push_back({.particle = particle, .force = force, .when = Ticks{firstTick, endTick}});
+void Pushes::add(const Sheet& sheet, int particle, const Vec3& force, std::int64_t firstTick, std::int64_t endTick) {
+  pushes_.push_back({.particle = particle,
+                     .force = force,
+                     .when = Ticks{firstTick, endTick},
+                     .isIgnored = isPinned(sheet, particle)});
 }
 
 bool Pushes::switchAt(const Instant& now, const Backend& backend) {

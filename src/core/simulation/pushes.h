@@ -7,21 +7,16 @@
 #include <vector>
 
 #include "core/simulation/backend.h"
+#include "core/simulation/instant.h"
 
 namespace tyg {
 
 class Pushes {
  public:
-  /// A moment of a run. Times closer than `sameTime` count as the same. s.
-  struct Instant {
-    double time = 0, sameTime = 0;
-    std::int64_t tick = 0;
-  };
-
   /// The pushes of the scene, each of which acts from one time to another.
   Pushes(const Scene& scene, const Sheet& sheet);
   /// Adds a push by hand, which acts for the whole ticks [firstTick, endTick).
-  void add(int particle, const Vec3& force, std::int64_t firstTick, std::int64_t endTick);
+  void add(const Sheet& sheet, int particle, const Vec3& force, std::int64_t firstTick, std::int64_t endTick);
 
   /// Begins and ends the pushes whose time has come. Returns whether there were any: the force then has to be applied
   /// anew.
@@ -56,7 +51,8 @@ class Pushes {
     Vec3 force;
     std::variant<Times, Ticks> when;
     bool acting = false;
-    Vec3 from{};  ///< where the particle was when the push began to act
+    Vec3 from{};             ///< where the particle was when the push began to act
+    bool isIgnored = false;  ///< by a pinned particle, which moves as it does
 
     [[nodiscard]] bool actsAt(const Instant& now) const;
     [[nodiscard]] double workUpTo(const Vec3& here) const;

@@ -6,8 +6,10 @@
 
 #include "core/simulation/energy_watch.h"
 #include "core/simulation/event_kinds.h"
+#include "core/simulation/pin_motion.h"
 #include "core/simulation/pushes.h"
 #include "core/simulation/replay.h"
+#include "core/simulation/supply.h"
 #include "core/simulation/tick_clock.h"
 #include "tyg/method.h"
 
@@ -19,6 +21,7 @@ struct Run {
       : method(&startMethod),
         clock(scene.dt),
         pushes(scene, sheet),
+        pins(scene, sheet),
         energies(scene, sheet, start, followsLedger),
         log(beginLog(scene, startMethod.name)) {}
 
@@ -27,6 +30,8 @@ struct Run {
   std::int64_t steps = 0;
   double largestStep = 0;  // s
   Pushes pushes;
+  PinMotion pins;
+  Supply supply;
   EnergyWatch energies;
   EventLog log;
   Replay replay;

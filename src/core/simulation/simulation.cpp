@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "core/forces/term.h"
 #include "core/simulation/live_parameters.h"
 #include "core/simulation/simulation_impl.h"
 
@@ -27,8 +28,15 @@ Simulation::Impl::Impl(Scene wanted, const Method& method, const Settings& asked
       settings(asked),
       workers(asked.threads > 0 ? asked.threads : defaultThreads(sheet.count())),
       backend(makeBackend(scene, sheet, method, workers, asked.ledger)),
-      run(scene, sheet, method, backend->energy(), asked.ledger) {
+      run(scene, sheet, method, backend->energy(), asked.ledger),
+      timetable(scene) {
   applyPushes();
+  applyTimetable();
+  if (settings.ledger) {
+    run.supply.followFrom({}, 0);
+  } else {
+    run.supply.estimateFrom(powerToSupply(), 0);
+  }
   run.energies.check(sample());
 }
 
@@ -42,16 +50,29 @@ void Simulation::Impl::goBackTo(const Checkpoint& checkpoint) {
   run = checkpoint.run;
   backend->restore(*checkpoint.moved);
   applyPushes();
+  applyTimetable();
   if (run.energies.followsLedger() != settings.ledger) trackDissipation(settings.ledger);
 }
 
 EnergySample Simulation::Impl::sample() const {
-  return {backend->energy(), run.pushes.work(*backend), backend->dissipated(), run.clock.time()};
+  EnergySample sample{backend->energy(), run.pushes.work(*backend), backend->energyOfPower(), run.clock.time()};
+  sample.passed.supplied = run.supply.upTo(powerToSupply(), run.clock.time(), sample.passed);
+  sample.passed.pins += run.pins.work();
+  return sample;
+}
+
+Power Simulation::Impl::powerToSupply() const {
+  for (std::size_t k = 0; k < kSupplies.size(); ++k) {
+    if (canSupply(scene, k)) return backend->power(run.clock.time());
+  }
+  return {};
 }
 
 void Simulation::Impl::trackDissipation(bool on) {
+  if (on && !settings.ledger) run.supply.followFrom(powerToSupply(), run.clock.time());
+  if (!on && settings.ledger) run.supply.estimateFrom(powerToSupply(), run.clock.time());
   settings.ledger = on;
-  backend->trackDissipation(on);
+  backend->trackDissipation(on, run.clock.time());
   run.energies.followLedger(on, sample());
 }
 
@@ -105,7 +126,7 @@ Vec3 Simulation::velocity(int particle) const { return impl_->backend->velocity(
 void Simulation::copyPositions(std::span<float> xyz) const { impl_->backend->copyPositions(xyz); }
 std::uint64_t Simulation::hash() const { return impl_->backend->hash(); }
 Ledger Simulation::ledger() { return impl_->run.energies.ledger(impl_->sample()); }
-double Simulation::liveStableStep() { return impl_->backend->liveStableStep(method()); }
+double Simulation::liveStableStep() { return impl_->backend->liveStableStep(method(), time()); }
 Status Simulation::check() {
   impl_->run.energies.check(impl_->sample());
   return status();

@@ -23,7 +23,7 @@ void Simulation::Impl::perform(const PushEvent& push, std::span<const Method> /*
     throw InputError(fmt::format("push: found particle {} for {} ticks, allowed: particle 0 to {}, at least one tick",
                                  push.particle, push.ticks, sheet.count() - 1));
   }
-  run.pushes.add(push.particle, push.force, run.clock.ticks(), run.clock.ticks() + push.ticks);
+  run.pushes.add(sheet, push.particle, push.force, run.clock.ticks(), run.clock.ticks() + push.ticks);
 }
 
 void Simulation::Impl::perform(const MethodEvent& change, std::span<const Method> methods) {
@@ -56,11 +56,17 @@ void Simulation::Impl::perform(const WorldEvent& change, std::span<const Method>
     parameter->set(scene, before);
     throw;
   }
+  applyTimetable();
   forcing = run.pushes.forcing(scene, sheet);
   const StoredEnergy energy = backend->energy();
   run.energies.begin(scene, sheet, backend->startEnergy(), energy);
   run.pushes.addWork(run.energies.mechanical(energy) - mechanical);
   run.energies.check(sample());
+}
+
+void Simulation::Impl::applyTimetable() {
+  if (!scene.winds.empty()) backend->blow(blowingAt(scene, now()));
+  if (!scene.moves.empty()) backend->movePins(run.pins.moving());
 }
 
 void Simulation::Impl::applyPushes() {

@@ -7,6 +7,7 @@
 
 #include "core/simulation/backend.h"
 #include "core/simulation/run.h"
+#include "core/simulation/timetable.h"
 #include "tyg/simulation.h"
 #include "util/workers.h"
 
@@ -21,6 +22,7 @@ struct Simulation::Impl {
   std::unique_ptr<Backend> backend;
   Run run;
   std::function<bool()> observer;
+  const Timetable timetable;
   bool stopAsked = false;
   bool finishing = false;  // a tick that is done whole even where the observer says stop
   double forcing = 0;      // J/s2, see Alarm::expect
@@ -37,6 +39,9 @@ struct Simulation::Impl {
   void goBackTo(const Checkpoint& checkpoint);
   [[nodiscard]] EnergySample sample() const;
   void trackDissipation(bool on);
+  [[nodiscard]] Instant now() const;
+  /// W, where terms of the scene can bring energy; else 0.
+  [[nodiscard]] Power powerToSupply() const;
 
   // simulation_steps.cpp
   void runTo(double end);
@@ -45,8 +50,9 @@ struct Simulation::Impl {
   // simulation_events.cpp
   /// Lets it happen now, and adds it to the log. `methods` is where the name of a method is looked up.
   void apply(const EventAction& action, std::span<const Method> methods);
-  /// Lets pushes act on the backend anew.
+  /// Lets pushes, winds and moving pins act on the backend anew.
   void applyPushes();
+  void applyTimetable();
 
  private:
   void perform(const PushEvent& push, std::span<const Method> methods);
@@ -59,11 +65,11 @@ struct Simulation::Impl {
   [[nodiscard]] bool stepsFreely() const { return run.method->adaptive && scene.tolerance > 0; }
   [[nodiscard]] bool halted() const;
   [[nodiscard]] std::int64_t stepsToCheck() const;
-  [[nodiscard]] Pushes::Instant now() const;
+  [[nodiscard]] double nextEdge(double end) const;
   [[nodiscard]] std::int64_t plainTicks(std::int64_t most) const;
-  void switchPushes();
+  void switchWhatActs();
   void finishSteps(double h, int count, double timeAfter);
-  void advance(std::int64_t steps, double h, double end);
+  void advance(std::int64_t steps, StepTimes times, double end);
   void advanceFreely(double stop);
   void advanceSegment(double stop);
   void runTick();

@@ -30,14 +30,24 @@ std::int64_t Simulation::Impl::stepsToCheck() const { return kStepsBetweenChecks
 
 /// Times closer than a billionth of dt are the same. Where dt is longer than the run it is a billionth of the run
 /// instead: a billionth of a huge dt could be longer than the run, and all of its times would be the same.
-Pushes::Instant Simulation::Impl::now() const {
+Instant Simulation::Impl::now() const {
   return {run.clock.time(), kSameTime * std::min(run.clock.dt(), scene.duration), run.clock.ticks()};
 }
 
-void Simulation::Impl::switchPushes() {
-  if (!run.pushes.switchAt(now(), *backend)) return;
-  applyPushes();
-  backend->reset();
+double Simulation::Impl::nextEdge(double end) const {
+  return timetable.nextEdge(now(), run.pushes.nextEdge(now(), end));
+}
+
+/// What begins or ends now does so.
+void Simulation::Impl::switchWhatActs() {
+  bool changes = run.pushes.switchAt(now(), *backend);
+  if (changes) applyPushes();
+  if (timetable.isEdge(now())) {
+    run.pins.switchAt(scene, sheet, now(), *backend);
+    applyTimetable();
+    changes = true;
+  }
+  if (changes) backend->reset();
 }
 
 /// Accounts for `count` steps of h that ended at `timeAfter`; they must not pass over an energy check.
@@ -49,19 +59,21 @@ void Simulation::Impl::finishSteps(double h, int count, double timeAfter) {
   if (run.steps % kStepsBetweenChecks != 0) return;
   // Steps of a method's own choice let fast waves jitter within the tolerance.
   const bool keepsTheBalance = !stepsFreely() && takesWhatDampingTakes(*run.method);
-  run.energies.lose(keepsTheBalance ? backend->lossPower() : 0, timeAfter);
+  const Power power = keepsTheBalance ? backend->power(timeAfter) : powerToSupply();
+  run.supply.check(power, timeAfter);
+  run.energies.lose(keepsTheBalance ? power.lost : 0, timeAfter);
   run.energies.check(sample());
   if (observer && !observer()) stopAsked = true;
 }
 
-/// `steps` steps of h from now on, the last of which ends at `end`.
-void Simulation::Impl::advance(std::int64_t steps, double h, double end) {
-  const double from = run.clock.time();
+/// `steps` steps, the first of which begins now, and the last of which ends at `end`.
+void Simulation::Impl::advance(std::int64_t steps, StepTimes times, double end) {
   for (std::int64_t done = 0; done < steps && !halted();) {
     const auto some = std::min(steps - done, stepsToCheck());
-    backend->steps(h, int(some));
+    backend->steps(times, int(some));
     done += some;
-    finishSteps(h, int(some), done == steps ? end : from + double(done) * h);
+    times.first += some;
+    finishSteps(times.h, int(some), done == steps ? end : times.at(0));
   }
 }
 
@@ -69,7 +81,7 @@ void Simulation::Impl::advance(std::int64_t steps, double h, double end) {
 /// what rounding leaves of the numbers: the run advances no further.
 void Simulation::Impl::advanceFreely(double stop) {
   while (!halted() && run.clock.time() < stop) {
-    const double most = stop - run.clock.time(), taken = backend->stepWithin(most, scene.tolerance);
+    const double most = stop - run.clock.time(), taken = backend->stepWithin(run.clock.time(), most, scene.tolerance);
     finishSteps(taken, 1, taken == most ? stop : run.clock.time() + taken);
     if (most > kMostSteps * taken) run.energies.giveUp(run.clock.time());
   }
@@ -77,18 +89,18 @@ void Simulation::Impl::advanceFreely(double stop) {
 
 /// To the next stop, in steps of the method's own choice or in equal steps of at most dt.
 void Simulation::Impl::advanceSegment(double stop) {
-  switchPushes();
+  switchWhatActs();
   if (stepsFreely()) return advanceFreely(stop);
   const double span = stop - run.clock.time();
   const double steps = std::max(1.0, std::ceil(span / run.clock.dt() - kSameTime));
   if (steps > kMostSteps) {
     throw InputError(fmt::format("dt: found {:g} steps to the next stop, allowed: up to 1e15", steps));
   }
-  advance(std::int64_t(steps), span / steps, stop);
+  advance(std::int64_t(steps), {run.clock.time(), 0, span / steps}, stop);
 }
 
 void Simulation::Impl::runTo(double end) {
-  while (!halted() && run.clock.time() < end - now().sameTime) advanceSegment(run.pushes.nextEdge(now(), end));
+  while (!halted() && run.clock.time() < end - now().sameTime) advanceSegment(nextEdge(end));
 }
 
 /// One tick, whatever begins or ends in it. Of steps of the method's own choice there may be millions in a tick: it is
@@ -98,9 +110,9 @@ void Simulation::Impl::runTick() {
   if (observer && stepsFreely()) before = checkpoint();
   applyDueEvents();
   const double end = run.clock.tickEnd();
-  if (run.pushes.nextEdge(now(), end) == end && !stepsFreely()) {
-    switchPushes();
-    advance(1, run.clock.dt(), end);
+  if (nextEdge(end) == end && !stepsFreely()) {
+    switchWhatActs();
+    advance(1, run.clock.stepTimes(), end);
   } else {
     finishing = !stepsFreely();
     runTo(end);
@@ -116,7 +128,7 @@ std::int64_t Simulation::Impl::plainTicks(std::int64_t most) const {
   most = run.replay.ticksToNext(run.clock.ticks(), std::min(most, stepsToCheck()));
   most = run.pushes.ticksToEdge(run.clock.ticks(), most);
   // Half a tick away from the edge of a scene's push there is no doubt about the tick that it lies in.
-  const double edge = run.pushes.nextEdge(now(), run.clock.tickEnd(most)) - run.clock.dt() / 2;
+  const double edge = nextEdge(run.clock.tickEnd(most)) - run.clock.dt() / 2;
   while (most > 0 && run.clock.tickEnd(most - 1) > edge) --most;
   return most;
 }
@@ -132,8 +144,8 @@ void Simulation::Impl::runTicks(std::int64_t count) {
     if (plain < 2) {
       runTick();
     } else {
-      switchPushes();
-      backend->steps(run.clock.dt(), int(plain));
+      switchWhatActs();
+      backend->steps(run.clock.stepTimes(), int(plain));
       finishSteps(run.clock.dt(), int(plain), run.clock.tickEnd(plain - 1));
       run.clock.endTicks(plain);
     }

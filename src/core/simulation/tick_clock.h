@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "core/forces/step_times.h"
+
 namespace tyg {
 
 class TickClock {
@@ -18,6 +20,9 @@ class TickClock {
   [[nodiscard]] double tickEnd(std::int64_t ahead = 0) const {
     return baseTime_ + double(ticks_ + 1 + ahead - baseTick_) * dt_;
   }
+
+  /// The times of steps that are one tick each, from the present tick on.
+  [[nodiscard]] StepTimes stepTimes() const { return {baseTime_, ticks_ - baseTick_, dt_}; }
 
   /// Steps have led to this time (s), perhaps within a tick.
   void moveTo(double time) { time_ = time; }

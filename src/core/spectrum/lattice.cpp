@@ -52,6 +52,7 @@ Lattice::Lattice(const Scene& scene)
       tall_(scene.rows > 1),
       law_(scene.damping),
       particleDamping_(particleDamping(scene) / scene.particleMass),
+      cellDamping_(wide_ && tall_ ? cellDamping(scene) / scene.particleMass : 0),
       stiffness_(constantsOf(scene, &SpringFamily::ks)),
       damping_(constantsOf(scene, &SpringFamily::kd)) {}
 
@@ -83,18 +84,24 @@ double Lattice::everyWay(const Constants& k, double qx, double qy) {
          2 * k.bendX * oneMinusCos(2 * qx) + 2 * k.bendY * oneMinusCos(2 * qy);
 }
 
+double Lattice::ofCells(double qx, double qy) const {
+  const double x = std::cos(qx / 2), y = std::cos(qy / 2);
+  return cellDamping_ * x * x * y * y;
+}
+
 std::array<Mode, 5> Lattice::modes(double qx, double qy) const {
+  const double air = ofCells(qx, qy);
   const Symbol pull = inPlane(stiffness_, qx, qy);
   const auto [fast, slow] = pull.eigenvalues();
   if (law_ == Damping::Relative) {
     const double d = particleDamping_ + everyWay(damping_, qx, qy);
-    return {{{fast, d}, {slow, d}, {0, d}, {fast, d}, {slow, d}}};
+    return {{{fast, d}, {slow, d}, {0, d + air}, {fast, d + air}, {slow, d + air}}};
   }
   const Symbol damp = inPlane(damping_, qx, qy);
   const double most = particleDamping_ + damp.eigenvalues()[0];
   const std::array<double, 2> u = pull.direction();
   const double dFast = particleDamping_ + damp.along(u), dSlow = particleDamping_ + damp.along({-u[1], u[0]});
-  return {{{fast, most}, {slow, most}, {0, particleDamping_}, {fast, dFast}, {slow, dSlow}}};
+  return {{{fast, most + air}, {slow, most + air}, {0, particleDamping_ + air}, {fast, dFast}, {slow, dSlow}}};
 }
 
 }  // namespace tyg

@@ -62,7 +62,7 @@ class Lattice {
   /// with no more than ks in every direction (its Hessian never exceeds ks times the graph Laplacian), and either law
   /// of damping with no more than kd (docs/model.md, section 8).
   [[nodiscard]] Mode anyDeformation(double qx, double qy) const {
-    return {everyWay(stiffness_, qx, qy), particleDamping_ + everyWay(damping_, qx, qy)};
+    return {everyWay(stiffness_, qx, qy), particleDamping_ + everyWay(damping_, qx, qy) + ofCells(qx, qy)};
   }
 
  private:
@@ -75,9 +75,12 @@ class Lattice {
   static Symbol inPlane(const Constants& k, double qx, double qy);
   static double everyWay(const Constants& k, double qx, double qy);
 
+  /// 1/s: a cell moves with the mean of its corners, and only along its normal.
+  [[nodiscard]] double ofCells(double qx, double qy) const;
+
   bool wide_, tall_;
   Damping law_;
-  double particleDamping_;  // 1/s
+  double particleDamping_, cellDamping_;  // 1/s
   Constants stiffness_, damping_;
 };
 

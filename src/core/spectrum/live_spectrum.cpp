@@ -19,6 +19,15 @@ namespace {
 constexpr double kMixed = 0.01;
 constexpr double kNothingNew = 1e-4;  // of a product outside the earlier ones: what is left is rounding
 
+/// The springs and what resists particles: steady forces do not depend on the state, and air is counted apart.
+Scene withoutAir(Scene scene) {
+  scene = withoutSteadyForce(std::move(scene));
+  for (const ForceTerm* term : forceTerms()) {
+    if (term->cellDamping != nullptr) leaveOut(scene, *term);
+  }
+  return scene;
+}
+
 /// Of all waves of the sheet at rest, 1/s.
 double mostDampedOf(const Lattice& lattice) {
   return extremeWave(lattice, [](const Mode& mode) { return mode.d; }).mode.d;
@@ -34,7 +43,8 @@ LiveSpectrum<T>::LiveSpectrum(const Scene& scene, const Sheet& sheet, Workers& w
       reach_((sizeof(T) == sizeof(float) ? 1e-3 : 1e-6) * sheet.spacing),
       law_(scene.damping),
       lattice_(scene),
-      forces_(withoutSteadyForce(scene), sheet, workers),
+      forces_(withoutAir(scene), sheet, workers),
+      ofAir_(cellDamping(scene) / sheet.particleMass),
       ofRow_(std::size_t(layout_.rows)) {
   for (Follower& follower : followers_) follower.direction = VectorField<T>(layout_);
   for (VectorField<T>* field : {&force_, &position_, &velocity_}) *field = VectorField<T>(layout_);
@@ -48,7 +58,8 @@ LiveSpectrum<T>::LiveSpectrum(const Scene& scene, const Sheet& sheet, Workers& w
 
 template <class T>
 void LiveSpectrum<T>::useParameters(const Scene& scene) {
-  forces_.useParameters(withoutSteadyForce(scene));  // which no state changes, and which would only be rounded
+  forces_.useParameters(withoutAir(scene));
+  ofAir_ = cellDamping(scene) / mass_;
   lattice_ = Lattice(scene);
   mostDamped_ = mostDampedOf(lattice_);
   isStarted_ = false;
@@ -87,7 +98,8 @@ void LiveSpectrum<T>::startFrom(Which which, const LatticeWave& wave) {
 }
 
 template <class T>
-double LiveSpectrum<T>::stableStep(const Method& method, const State<T>& state) {
+double LiveSpectrum<T>::stableStep(const Method& method, const State<T>& state, double time) {
+  time_ = time;
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   if (method.stableStep == nullptr) return kNone;
   const bool both = !hasStraightLevelLines(method, mostDamped_);
@@ -96,7 +108,9 @@ double LiveSpectrum<T>::stableStep(const Method& method, const State<T>& state) 
   turn_ = turn_ == kStiff ? kDamped : kStiff;
   const auto limit = [&](Which which) {
     const Mode& mode = followers_[which].mode;
-    return mode.w2 > 0 || mode.d > 0 ? method.stableStep(mode.w2, mode.d) : std::numeric_limits<double>::infinity();
+    if (!(mode.w2 > 0 || mode.d > 0)) return std::numeric_limits<double>::infinity();
+    const double still = method.stableStep(mode.w2, mode.d);
+    return ofAir_ > 0 ? std::min(still, method.stableStep(mode.w2, mode.d + ofAir_)) : still;
   };
   return both ? std::min(limit(kStiff), limit(kDamped)) : limit(kStiff);
 }
@@ -106,7 +120,7 @@ bool LiveSpectrum<T>::follow(const Method& method, Which which, const State<T>& 
   Follower& follower = followers_[which];
   const LineNormal weights =
       which == kStiff ? normalOfStiff(method, follower.mode) : normalOfDamped(method, follower.mode);
-  forces_.evaluate(state.position, state.velocity, force_);
+  forces_.evaluate(time_, state.position, state.velocity, force_);
   basis_[0] = follower.direction;
   mix(basis_[0]);
   // Lanczos, orthogonalised against all vectors: there are three.
@@ -151,7 +165,7 @@ void LiveSpectrum<T>::product(const LineNormal& weights, const State<T>& state, 
     toX[i] = x[i] + moved * from[i];
     toV[i] = v[i] + sped * from[i];
   });
-  forces_.evaluate(position_, velocity_, result);
+  forces_.evaluate(time_, position_, velocity_, result);
   T* to = result.x();
   const T* f = force_.x();
   forNumbers(forces_.workers(), layout_, [=](std::ptrdiff_t i) { to[i] = divided * (to[i] - f[i]); });
@@ -179,9 +193,9 @@ template <class T>
 double LiveSpectrum<T>::dampingOf(const State<T>& state, const VectorField<T>& u) {
   if (mostDamped_ == 0) return 0;
   forces_.trackDissipation(true);
-  forces_.measurePower(state.position, u);
+  forces_.measurePower(time_, state.position, u);
   forces_.trackDissipation(false);
-  return forces_.power() / mass_;
+  return forces_.power().lost / mass_;
 }
 
 template <class T>

@@ -34,7 +34,7 @@ class LiveSpectrum {
   void useParameters(const Scene& scene);
 
   /// Largest stable step, s, at this state; see Simulation::liveStableStep. Allocates nothing.
-  double stableStep(const Method& method, const State<T>& state);
+  double stableStep(const Method& method, const State<T>& state, double time);
   /// All force evaluations so far.
   [[nodiscard]] std::int64_t evaluations() const { return forces_.evaluations(); }
 
@@ -68,6 +68,8 @@ class LiveSpectrum {
   std::array<Vec3, 2> along_;  // a direction that each follower's mode moves in at rest
   bool isStarted_ = false;
   Forces<T> forces_;
+  double ofAir_ = 0;  ///< 1/s, that air adds to the damping of a motion at most
+  double time_ = 0;   ///< s, of the present state
   std::array<Follower, 2> followers_;
   Which turn_ = kStiff;
   static constexpr std::uint32_t kFirstSeed = 1;

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -32,6 +33,16 @@ class Assembly {
   void spring(const SpringEnds& ends, const Block& block, int size) {
     const int a = unknown_[std::size_t(ends.first)], b = unknown_[std::size_t(ends.second)];
     add(a, a, block, size), add(b, b, block, size), add(a, b, -block, size), add(b, a, -block, size);
+  }
+  /// What resists the mean motion of the cell below right of a particle, at its four corners.
+  void cell(const Sheet& sheet, int particle, double value) {
+    const std::array corners{particle, particle + 1, particle + sheet.columns, particle + sheet.columns + 1};
+    for (const int a : corners) {
+      for (const int b : corners) {
+        const int row = unknown_[std::size_t(a)], column = unknown_[std::size_t(b)];
+        if (row >= 0 && column >= 0) entries_.emplace_back(row, column, value / 16);
+      }
+    }
   }
   [[nodiscard]] Matrix matrix(int size) const {
     Matrix all(size * free_, size * free_);
@@ -89,6 +100,10 @@ RestSpectrum::RestSpectrum(const Scene& scene) {
   const double perMass = 1 / sheet.particleMass;
   damping.everywhere(2, perMass * particleDamping(scene));
   across.everywhere(1, perMass * particleDamping(scene));
+  const double ofCells = perMass * cellDamping(scene);
+  for (int particle = 0; ofCells > 0 && particle + sheet.columns < sheet.count(); ++particle) {
+    if (particle % sheet.columns + 1 < sheet.columns) across.cell(sheet, particle, ofCells);
+  }
   for (const Family family : kFamilies) {
     const SpringFamily& springs = familyOf(scene, family);
     if (!springs.present()) continue;

@@ -44,6 +44,8 @@ Outcome tried(double step, const Scene& scene, const Method& method, const Measu
 
 Scene linearRegime(Scene scene) {
   scene = withoutSteadyForce(std::move(scene));
+  scene.winds.clear();
+  scene.moves.clear();
   scene.pushes.clear();
   scene.displacements.clear();
   scene.precision = Precision::Double;

@@ -37,6 +37,21 @@ struct EnergyStores {
   }
 };
 
+/// The corners of a cell: a particle, its right neighbour, and the two below them.
+template <class Vector>
+struct Corners {
+  Vector here, right, below, belowRight;
+};
+
+/// What a term computes anew at every moment, where it does.
+template <class Term, class T>
+struct MomentOf {};
+template <class Term, class T>
+requires requires { typename Term::template Moment<T>; }
+struct MomentOf<Term, T> {
+  typename Term::template Moment<T> moment;
+};
+
 template <class... Term>
 struct TermList {
   static constexpr bool kEmpty = sizeof...(Term) == 0;
@@ -45,10 +60,25 @@ struct TermList {
   template <class T>
   struct Numbers : Term::template Numbers<T>... {};
 
+  /// What the terms compute anew at every moment.
+  template <class T>
+  struct Moment : MomentOf<Term, T>... {};
+
   /// Calls `visit.operator()<Term>()` for each term, in order.
   template <class Visit>
   [[gnu::always_inline]] static constexpr void forEach([[maybe_unused]] const Visit& visit) {
     (visit.template operator()<Term>(), ...);
+  }
+
+  /// What brings energy by terms, by name: each term's own, in order.
+  static constexpr std::size_t kSupplies = (std::size_t{0} + ... + (requires { Term::kSupply; } ? 1 : 0));
+  static consteval std::array<std::string_view, kSupplies> supplies() {
+    std::array<std::string_view, kSupplies> names{};
+    std::size_t count = 0;
+    forEach([&]<class Each>() {
+      if constexpr (requires { Each::kSupply; }) names[count++] = Each::kSupply;
+    });
+    return names;
   }
 
   /// The stores of these terms, each once, in order.

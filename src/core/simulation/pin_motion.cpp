@@ -1,0 +1,82 @@
+// A pin's place is a start plus a velocity times a duration, for each of its motions, never a sum of steps.
+#include "core/simulation/pin_motion.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace tyg {
+namespace {
+
+double squared(const Vec3& v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
+
+std::vector<int> particlesOf(const Move& move, const Sheet& sheet) {
+  std::vector<int> particles;
+  for (const Place& place : move.what) {
+    const std::vector<int> named = particlesAt(sheet, place);
+    particles.insert(particles.end(), named.begin(), named.end());
+  }
+  std::ranges::sort(particles);
+  const auto [first, last] = std::ranges::unique(particles);
+  particles.erase(first, last);
+  return particles;
+}
+
+}  // namespace
+
+PinMotion::PinMotion(const Scene& scene, const Sheet& sheet) {
+  std::vector<int> all;
+  for (const Move& move : scene.moves) {
+    for (const int particle : particlesOf(move, sheet)) {
+      if (!std::ranges::binary_search(sheet.pins, particle)) {
+        throw InputError(fmt::format("move: found particle [{}, {}], which is not pinned; allowed are pins",
+                                     particle % sheet.columns, particle / sheet.columns));
+      }
+      all.push_back(particle);
+    }
+  }
+  std::ranges::sort(all);
+  const auto [first, last] = std::ranges::unique(all);
+  all.erase(first, last);
+  for (const int particle : all) pins_.push_back({.particle = particle, .velocity = {}, .since = 0, .from = {}});
+}
+
+bool PinMotion::switchAt(const Scene& scene, const Sheet& sheet, const Instant& now, Backend& backend) {
+  std::vector<Vec3> wanted(pins_.size());
+  for (const Move& move : scene.moves) {
+    if (!now.isWithin(move.at, move.duration)) continue;
+    for (const int particle : particlesOf(move, sheet)) {
+      const auto pin = std::ranges::lower_bound(pins_, particle, {}, &Pin::particle);
+      Vec3& velocity = wanted[std::size_t(pin - pins_.begin())];
+      velocity = {velocity.x + move.velocity.x, velocity.y + move.velocity.y, velocity.z + move.velocity.z};
+    }
+  }
+  bool changed = false;
+  for (std::size_t k = 0; k < pins_.size(); ++k) {
+    Pin& pin = pins_[k];
+    if (pin.velocity == wanted[k]) continue;
+    changed = true;
+    if (pin.velocity == Vec3{}) {
+      pin.from = backend.position(pin.particle);
+    } else {
+      const double seconds = now.time - pin.since;
+      pin.from = {pin.from.x + seconds * pin.velocity.x, pin.from.y + seconds * pin.velocity.y,
+                  pin.from.z + seconds * pin.velocity.z};
+    }
+    work_ += sheet.particleMass / 2 * (squared(wanted[k]) - squared(backend.velocity(pin.particle)));
+    pin.velocity = wanted[k];
+    pin.since = now.time;
+    backend.placePin(pin.particle, pin.from, pin.velocity);
+  }
+  return changed;
+}
+
+std::vector<int> PinMotion::moving() const {
+  std::vector<int> particles;
+  for (const Pin& pin : pins_) {
+    if (pin.velocity != Vec3{}) particles.push_back(pin.particle);
+  }
+  return particles;
+}
+
+}  // namespace tyg

@@ -1,0 +1,28 @@
+// The times at which something of a scene begins or ends, besides pushes: winds and the motions of pins. A regular
+// type. Must not know: what happens then.
+#pragma once
+
+#include <vector>
+
+#include "core/simulation/instant.h"
+#include "tyg/scene.h"
+
+namespace tyg {
+
+class Timetable {
+ public:
+  explicit Timetable(const Scene& scene);
+
+  /// The first of the times after now, or `end` where none lies before it, s.
+  [[nodiscard]] double nextEdge(const Instant& now, double end) const;
+  /// Whether one of the times is now.
+  [[nodiscard]] bool isEdge(const Instant& now) const;
+
+ private:
+  std::vector<double> edges_;  ///< s, ascending
+};
+
+/// The winds of a scene that blow from now until the next edge.
+std::vector<Wind> blowingAt(const Scene& scene, const Instant& now);
+
+}  // namespace tyg
