@@ -60,7 +60,10 @@ TEST_F(CaptureFilesTest, AMovieKeepsTheRhythmOfTheClockAndEndsWhenTheWindowChang
   EXPECT_TRUE(files_.film(picture(65, 49), 10.0).empty());
   EXPECT_TRUE(files_.film(picture(65, 49), 10.5).empty());
   EXPECT_NEAR(files_.filmed(), 0.5, 1 / CaptureFiles::kFramesPerSecond);
-  const std::string said = files_.film(picture(80, 60), 10.6);
+  EXPECT_TRUE(files_.film(picture(80, 60), 10.6).empty());
+  EXPECT_TRUE(files_.finishing());
+  EXPECT_THROW(files_.beginMovie("curtain", 80, 60), InputError) << "one at a time";
+  const std::string said = files_.awaitMovie([] { return false; });
   EXPECT_NE(said.find("tyg-curtain-1.mp4"), std::string::npos) << said;
   EXPECT_FALSE(files_.filming());
   EXPECT_GT(std::filesystem::file_size(folder_ / "tyg-curtain-1.mp4"), 100U);

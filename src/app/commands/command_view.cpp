@@ -1,4 +1,6 @@
 // `tyg view`: its options, the record of the run, and what happens where no window can be opened.
+#include <csignal>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -13,6 +15,7 @@
 #include "ui/frame_loop.h"
 #include "util/calibration_clock.h"
 #include "util/interrupt.h"
+#include "util/sudden_end.h"
 #include "util/whole_file.h"
 #include "viewer/viewer.h"
 
@@ -35,6 +38,16 @@ FrameLoopOptions loopOptions(const ViewOptions& options) {
           .log = options.log};
 }
 
+/// Xlib ends the program itself where its display has gone.
+void sayAndKeep(const std::function<void()>& keep) {
+  try {
+    keep();
+    std::cerr << "tyg view: the display has gone, and the window with it" << std::endl;
+  } catch (const std::exception& error) {
+    std::cerr << "tyg view: the display has gone; " << error.what() << std::endl;
+  }
+}
+
 int view(const ViewOptions& options) {
   const Scene scene = chosenScene(options.scene);
   if (options.log) checkWritable(*options.log);
@@ -51,6 +64,8 @@ int view(const ViewOptions& options) {
     if (const EventLog log = viewer.run().record(); log.ticks > 0) keep(log);
   };
   const InterruptWatch watch;
+  (void)std::signal(SIGPIPE, SIG_IGN);  // whoever reads the messages may leave before the window does
+  const AtExit recordFirst([&] { sayAndKeep(keepWhatRan); });
   try {
     const std::string left = FrameLoop(loopOptions(options), viewer).run();
     if (!left.empty()) std::cerr << "tyg view: " << left << std::endl;
