@@ -75,6 +75,8 @@ bool prepare() {
 
 void prepareForSuddenEnd() { [[maybe_unused]] static const bool prepared = prepare(); }
 
+void ignoreClosedPipes() { (void)std::signal(SIGPIPE, SIG_IGN); }
+
 void endBySignal(int signal) {
   clearUnfinished();
   (void)std::signal(signal, SIG_DFL);

@@ -15,6 +15,9 @@ namespace tyg {
 /// It may be called again.
 void prepareForSuddenEnd();
 
+/// From now on writing to a pipe that nobody reads any more fails, and is no signal that ends the process.
+void ignoreClosedPipes();
+
 /// While one of these lives, the file or the program does not outlive the process.
 class Unfinished {
  public:

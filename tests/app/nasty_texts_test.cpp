@@ -1,5 +1,5 @@
-// Titles and file names that try to be commands, markup or escapes: nothing is run, pictures are XML, what is written can
-// be read again, and nothing steers the terminal.
+// Titles and file names that try to be commands, markup or escapes: nothing is run, pictures are XML, what is written
+// can be read again, and nothing steers the terminal.
 #include <array>
 #include <cctype>
 #include <filesystem>
@@ -24,8 +24,9 @@ x = \")",
     "</text><script>x</script>]]> & &foo; &#7; <!-- -->",
     "'7#1\\\\7 \\\\",
 };
-constexpr std::array kFileNames{"#a",  "-b",          "'c",     "d\nsystem(\"touch owned\")\nx = \"", "`touch owned`$(touch owned)",
-                                "e\xFF", "f\x1B[31m", "g;h &|", "i\"j\\"};
+constexpr std::array kFileNames{
+    "#a",        "-b",     "'c",    "d\nsystem(\"touch owned\")\nx = \"", "`touch owned`$(touch owned)", "e\xFF",
+    "f\x1B[31m", "g;h &|", "i\"j\\"};
 
 constexpr const char* kSheet =
     "\n[sheet]\ncolumns = 2\nrows = 2\nspacing = 0.5\nparticle_mass = 0.1\npins = [\"top-left\"]\n"
@@ -83,7 +84,8 @@ TEST_F(NastyTexts, EveryCommandTakesThemAll) {
   for (const char* command :
        {"stability a.toml --methods leapfrog --out out", "chart a.toml --quick --methods leapfrog --out out",
         "run a.toml --out out/samples.csv", "run a.toml --json", "render a.toml --size 64x48 --out out/a.png",
-        "diet a.toml --out out", "diet a.toml --out out --json", "advise a.toml --error 1mm --write out/advised.toml"}) {
+        "diet a.toml --out out", "diet a.toml --out out --json",
+        "advise a.toml --error 1mm --write out/advised.toml"}) {
     const Outcome outcome = run(command);
     EXPECT_EQ(outcome.code, 0) << command << outcome.err;
   }
@@ -98,12 +100,12 @@ TEST_F(NastyTexts, EveryCommandTakesThemAll) {
 TEST_F(NastyTexts, NamesOfFilesAreWrittenSoThatTheyReadBack) {
   for (const std::string name : kFileNames) {
     folder_.write(name + ".toml", sceneTitled("a"));
+    fs::create_directories(folder_ / "out");
     const std::string scene = inQuotes("./" + name + ".toml");
-    for (const std::string& command : {"plot " + scene + " --methods leapfrog --out out", "run " + scene,
-                                       "advise " + scene + " --error 1mm --write out/advised.toml"}) {
+    for (const std::string& command :
+         {"run " + scene, "advise " + scene + " --integrator leapfrog --error 1mm --write out/advised.toml"}) {
       EXPECT_EQ(run(command).code, 0) << command;
     }
-    expectXml("out/plot.svg");
     EXPECT_EQ(run("run out/advised.toml").code, 0) << contentsOf(folder_ / "out/advised.toml");
   }
 }
@@ -134,8 +136,10 @@ TEST_F(NastyTexts, WhatIsToBePastedIntoAShellIsInQuotes) {
 }
 
 TEST_F(NastyTexts, MessagesShowWhatTheyCannotUse) {
-  for (const char* command : {"run 'no\x1B[31m.toml'", "run $'no\\xff.toml'", "$'\\x1b]0;x\\x07'", "run curtain --dt $'\\x1b[1m'",
-                              "render curtain --out $'no\\x1b/a.png'", "run --replay $'\\x9b'"}) {
+  for (const std::string& command :
+       {"run " + inQuotes("no\x1B[31m.toml"), "run " + inQuotes("no\xFF.toml"), inQuotes("\x1B]0;x\x07"),
+        "run curtain --dt " + inQuotes("\x1B[1m"), "render curtain --out " + inQuotes("no\x1B/a.jpg"),
+        "run --replay " + inQuotes("\x9B")}) {
     EXPECT_EQ(run(command).code, 2) << command;
   }
 }

@@ -12,7 +12,9 @@ TEST(HarmlessOutput, ReplacesWhatIsActiveAndKeepsCharactersThatComeInParts) {
   std::ostringstream out;
   {
     HarmlessOutput harmless(out);
-    out << "a\n\x1B[31m\xC3" << '\xA9' << "\xE7\xB5" << "\xB9\xC2" << "\x9B" << std::flush << "\xF0\x9F";
+    out << "a\n\x1B[31m\xC3" << '\xA9' << "\xE7\xB5"
+        << "\xB9\xC2"
+        << "\x9B" << std::flush << "\xF0\x9F";
   }
   EXPECT_EQ(out.str(), "a\n\xEF\xBF\xBD[31m\xC3\xA9\xE7\xB5\xB9\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD");
 }

@@ -67,10 +67,10 @@ TEST_F(WholeResults, PathsThatCannotBeUsedAreWrongInputWhateverTheCommand) {
   fs::create_symlink("first", folder_ / "second");
   const std::string tooLong(300, 'x');
   for (const std::string& path : {std::string("first/a"), tooLong + "/a"}) {
-    for (const std::string command : {"run spring --out ", "render spring --out ", "plot spring --out ",
-                                      "stability spring --out ", "chart spring --out ", "diet spring --out ",
-                                      "view spring --record ", "advise spring --error 1mm --write ", "run ",
-                                      "run --replay ", "chart spring --compare ", ""}) {
+    for (const std::string command :
+         {"run spring --out ", "render spring --out ", "plot spring --out ", "stability spring --out ",
+          "chart spring --out ", "diet spring --out ", "view spring --record ", "advise spring --error 1mm --write ",
+          "run ", "run --replay ", "chart spring --compare ", ""}) {
       const Outcome outcome = run(command + path);
       EXPECT_EQ(outcome.code, 2) << command << path << outcome.err;
       EXPECT_TRUE(holds(outcome.err, "allowed") || holds(outcome.err, "neither a command")) << outcome.err;
@@ -82,8 +82,8 @@ TEST_F(WholeResults, PathsThatCannotBeUsedAreWrongInputWhateverTheCommand) {
 
 TEST_F(WholeResults, NoMessageGetsIntoAFileWhereStandardFilesAreClosed) {
   for (const std::string closed : {"2>&-", ">&-", "<&- >&- 2>&-"}) {
-    const std::string command = "cd '" + folder_.path().string() + "' && '" TYG_PROGRAM
-                                "' run spring --duration 0.1 --verbose --out a.csv " + closed;
+    const std::string command = "cd '" + folder_.path().string() +
+                                "' && '" TYG_PROGRAM "' run spring --duration 0.1 --verbose --out a.csv " + closed;
     const int status = std::system(command.c_str());
     EXPECT_EQ(WEXITSTATUS(status), holds(closed, ">&- ") || closed == ">&-" ? 2 : 0) << closed;
     const std::string rows = contentsOf(folder_ / "a.csv");
@@ -93,8 +93,8 @@ TEST_F(WholeResults, NoMessageGetsIntoAFileWhereStandardFilesAreClosed) {
 }
 
 TEST_F(WholeResults, AReaderThatLeavesEarlyLeavesNoTemporaryFile) {
-  const std::string command = "cd '" + folder_.path().string() + "' && '" TYG_PROGRAM
-                              "' run spring --duration 0.1 --out a.csv | true";
+  const std::string command =
+      "cd '" + folder_.path().string() + "' && '" TYG_PROGRAM "' run spring --duration 0.1 --out a.csv | true";
   (void)std::system(command.c_str());
   EXPECT_LE(folder_.fileCount(), 1U);
 }

@@ -37,9 +37,8 @@ TEST_F(FakeFfmpeg, ThatPrintsMuchAndGivesUpIsAnErrorAndNoDeadlock) {
 
 TEST_F(FakeFfmpeg, WhatItPrintsIsTheReason) {
   use("echo no codec >&2; exit 1\n");
-  Movie movie(folder_ / "a.mp4", kForm);
   try {
-    movie.finish();
+    Movie(folder_ / "a.mp4", kForm).finish();
     ADD_FAILURE() << "it was made";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "ffmpeg could not make the movie: no codec\n");

@@ -16,7 +16,7 @@ namespace {
 using Kind = ChildProcess::Ending::Kind;
 
 constexpr double kLong = 60, kShort = 0.2;  // s
-constexpr std::size_t kMuch = 1'000'000;  // bytes: more than any socket or pipe holds
+constexpr std::size_t kMuch = 1'000'000;    // bytes: more than any socket or pipe holds
 
 std::vector<std::string> shell(const std::string& script) { return {"sh", "-c", script}; }
 

@@ -45,7 +45,9 @@ TEST_F(WholePicture, EachFormatIsWholeOnlyUpToItsLastByte) {
 TEST_F(WholePicture, OneFormatIsNotAnotherAndAMovieHasFramesAndAnIndex) {
   EXPECT_FALSE(isWhole(".png", kGif));
   EXPECT_FALSE(isWhole(".txt", kPng));
-  EXPECT_FALSE(isWhole(".mp4", "\0\0\0\x0C""ftypisom"s));
+  EXPECT_FALSE(isWhole(".mp4",
+                       "\0\0\0\x0C"
+                       "ftypisom"s));
   EXPECT_FALSE(isWhole(".mp4", "\0\0\0\x09moov.\0\0\0\x08mdat"s));
   EXPECT_FALSE(isWholePicture(folder_ / "nothing.png"));
 }

@@ -1,5 +1,4 @@
 // `tyg view`: its options, the record of the run, and what happens where no window can be opened.
-#include <csignal>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -64,7 +63,7 @@ int view(const ViewOptions& options) {
     if (const EventLog log = viewer.run().record(); log.ticks > 0) keep(log);
   };
   const InterruptWatch watch;
-  (void)std::signal(SIGPIPE, SIG_IGN);  // whoever reads the messages may leave before the window does
+  ignoreClosedPipes();  // whoever reads the messages may leave before the window does
   const AtExit recordFirst([&] { sayAndKeep(keepWhatRan); });
   try {
     const std::string left = FrameLoop(loopOptions(options), viewer).run();

@@ -32,7 +32,7 @@ GnuplotOutcome runGnuplot(const std::filesystem::path& folder, const std::string
 
 std::string gnuplotQuoted(const std::string& text) {
   // Letters, digits and these marks mean nothing to gnuplot; nor do bytes of longer characters.
-  constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789 .,:;=+-/()<>_|";
+  constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789 .,:;=+-*/%&()<>_";
   std::string quoted = "\"";
   bool wasEscaped = false;
   for (const char character : text) {
