@@ -16,7 +16,7 @@ namespace {
 /// A pause longer than this is not filmed, s: a window that was hidden leaves no still picture.
 constexpr double kLongestGap = 1;
 /// The window waits this long for an ffmpeg that takes no picture, s.
-constexpr double kPatience = 5;
+constexpr double kPatience = 3;
 
 /// The upper left part of a picture.
 void cut(const Picture& from, int width, int height, Picture& to) {

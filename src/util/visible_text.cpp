@@ -25,12 +25,11 @@ std::string shown(std::string_view text, bool keepsBreaks) {
   while (!text.empty()) {
     const Utf8Character character = firstCharacter(text);
     const bool isBreak = character.code == '\n' || character.code == '\t' || character.code == '\r';
+    const bool isUnknown = character.code == U'\uFFFD';  // or bytes that are not UTF-8
     if (isBreak && (!keepsBreaks || character.code == '\r')) {
       result += ' ';
-    } else if (!isBreak && isActive(character.code)) {
+    } else if (isUnknown || (!isBreak && isActive(character.code))) {
       result += kReplacement;
-    } else if (character.code == U'\uFFFD') {
-      result += kReplacement;  // also for bytes that are not UTF-8
     } else {
       result += text.substr(0, character.length);
     }
@@ -51,7 +50,7 @@ std::string withoutActive(std::string_view text) { return shown(text, true); }
 
 std::string shellWord(const std::string& path) {
   constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_./+,:@%";
-  const std::string safe = (path.starts_with('-') ? "./" : "") + path;
+  std::string safe = (path.starts_with('-') ? "./" : "") + path;
   if (!safe.empty() && safe.find_first_not_of(kPlain) == std::string::npos) return safe;
   std::string word = "'";
   for (const char character : safe) word += character == '\'' ? "'\\''" : std::string(1, character);
