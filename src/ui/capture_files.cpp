@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 
 #include "util/file_names.h"
@@ -15,8 +14,8 @@ namespace {
 
 /// A pause longer than this is not filmed, s: a window that was hidden leaves no still picture.
 constexpr double kLongestGap = 1;
-/// The window waits this long for an ffmpeg that takes no picture, s.
-constexpr double kPatience = 3;
+/// An ffmpeg that takes no picture for so long is given up, s.
+constexpr double kPatience = 20;
 
 /// The upper left part of a picture.
 void cut(const Picture& from, int width, int height, Picture& to) {
@@ -36,8 +35,6 @@ std::string freeStemFor(const std::filesystem::path& folder, const std::string& 
 
 }  // namespace
 
-CaptureFiles::~CaptureFiles() { givenUp_ = true; }
-
 std::string CaptureFiles::keep(const Picture& picture, const EventLog& log) {
   const std::string stem = freeStemFor(folder_, log.scene);
   writePng(picture, folder_ / (stem + ".png"));
@@ -53,50 +50,48 @@ void CaptureFiles::beginMovie(const std::string& sceneName, int width, int heigh
   movieName_ = freeStemFor(folder_, sceneName) + ".mp4";
   frames_ = 0;
   const MovieForm form{.width = width_, .height = height_, .fps = kFramesPerSecond, .patience = kPatience};
-  movie_ = std::make_unique<Movie>(folder_ / movieName_, form, [this] { return givenUp_.load(); });
+  movie_ = std::make_unique<MovieFeeder>(folder_ / movieName_, form);
 }
 
 std::string CaptureFiles::film(const Picture& picture, double now) {
-  if (!movie_) return {};
+  if (!filming()) return {};
   if (picture.width / 2 * 2 != width_ || picture.height / 2 * 2 != height_) return endMovie();
-  try {
-    if (frames_ > 0) {
-      began_ = std::max(began_, now - filmed() - kLongestGap);
-      const long due = std::lround((now - began_) * kFramesPerSecond);
-      for (; frames_ < due; ++frames_) movie_->add(frame_);
-    } else {
-      began_ = now;
-    }
-    cut(picture, width_, height_, frame_);
-    if (frames_ == 0) movie_->add(frame_), ++frames_;
-  } catch (...) {
-    movie_.reset();
-    throw;
+  if (frames_ > 0) {
+    began_ = std::max(began_, now - filmed() - kLongestGap);
+    const long due = std::lround((now - began_) * kFramesPerSecond);
+    if (due > frames_) movie_->add(frame_, due - frames_);
+    frames_ = std::max(frames_, due);
+  } else {
+    began_ = now;
   }
+  cut(picture, width_, height_, frame_);
+  if (frames_ == 0) movie_->add(frame_, 1), ++frames_;
   return {};
 }
 
 std::string CaptureFiles::endMovie() {
-  if (!movie_) return {};
-  std::unique_ptr<Movie> movie = std::move(movie_);
-  if (frames_ == 0) return "The movie ended before it began: nothing was written.";
-  finished_ = std::async(std::launch::async, [movie = std::move(movie), name = movieName_] {
-    return name + (movie->finish() ? " is kept." : " was given up before it was finished: nothing was written.");
-  });
-  return {};
+  if (!filming()) return {};
+  if (frames_ > 0) {
+    movie_->end();
+    return {};
+  }
+  movie_.reset();
+  return "The movie ended before it began: nothing was written.";
 }
 
-std::string CaptureFiles::finishedMovie() {
-  const bool isReady = finishing() && finished_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-  return isReady ? finished_.get() : std::string();
+std::string CaptureFiles::movieDone() {
+  if (!movie_ || !movie_->isDone()) return {};
+  const std::unique_ptr<MovieFeeder> movie = std::move(movie_);
+  return movieName_ + (movie->result() ? " is kept." : " was given up before it was finished: nothing was written.");
 }
 
 std::string CaptureFiles::awaitMovie(const std::function<bool()>& hurry) {
-  constexpr int kSteps = 50;  // of a tenth of a second, once there is no more time
-  for (int steps = 0; finishing() && finished_.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready;) {
-    if (hurry() && ++steps >= kSteps) givenUp_ = true;
+  constexpr double kOften = 0.1;  // s
+  constexpr int kMostWaits = 50;  // once there is no more time
+  for (int waits = 0; movie_ && !movie_->isDone(kOften);) {
+    if (hurry() && ++waits >= kMostWaits) movie_->giveUp();
   }
-  return finishing() ? finished_.get() : std::string();
+  return movieDone();
 }
 
 }  // namespace tyg

@@ -43,7 +43,7 @@ void FrameCapture::toggleMovie(Viewer& viewer, Extent window) {
 }
 
 void FrameCapture::film(Viewer& viewer, Extent window) {
-  if (files_.finishing()) tell(viewer.notes(), [&] { return files_.finishedMovie(); });
+  tell(viewer.notes(), [&] { return files_.movieDone(); });
   if (std::exchange(movieAsked_, false)) toggleMovie(viewer, window);
   if (!files_.filming()) return;
   readFramebuffer(window.width, window.height, pixels_);
