@@ -12,6 +12,8 @@
 
 #include "app/commands/commands.h"
 #include "app/output/exit_code.h"
+#include "app/output/standard_streams.h"
+#include "util/sudden_end.h"
 #include "util/suggestion.h"
 #include "util/text.h"
 
@@ -111,6 +113,9 @@ int parseAndRun(CLI::App& app, std::vector<std::string> words) {
 }  // namespace
 
 int runCommandLine(int argc, char** argv) {
+  openMissingStandardFiles();
+  prepareForSuddenEnd();
+  HarmlessOutput harmlessResults(std::cout), harmlessMessages(std::cerr);
   try {
     CLI::App app{kAbout, "tyg"};
     app.get_formatter()->column_width(34);
@@ -127,6 +132,10 @@ int runCommandLine(int argc, char** argv) {
     return kWrongInput;
   } catch (const std::bad_alloc&) {
     std::cerr << "tyg: there is not enough memory for this scene; a smaller sheet may fit (--sheet CxR)" << std::endl;
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::cerr << "tyg: cannot use '" << error.path1().string() << "': " << error.code().message()
+              << "; allowed: a path whose folders exist and may be read" << std::endl;
+    return kWrongInput;
   } catch (const std::system_error& error) {
     std::cerr << "tyg: the system refused: " << error.what() << std::endl;
   } catch (const std::exception& error) {

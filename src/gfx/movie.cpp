@@ -2,6 +2,7 @@
 #include "gfx/movie.h"
 
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -10,18 +11,18 @@
 #include "util/child_process.h"
 #include "util/file_names.h"
 #include "util/utf8.h"
-#include "util/whole_file.h"
+#include "util/whole_picture.h"
 
 namespace tyg {
 namespace {
 
-std::vector<std::string> commandLine(const std::filesystem::path& out, int width, int height, double fps) {
+std::vector<std::string> commandLine(const std::filesystem::path& out, const MovieForm& form) {
   std::vector<std::string> words{"ffmpeg",   "-loglevel",
                                  "error",    "-y",
                                  "-f",       "rawvideo",
                                  "-pix_fmt", "rgba",
-                                 "-s",       fmt::format("{}x{}", width, height),
-                                 "-r",       fmt::format("{:g}", fps),
+                                 "-s",       fmt::format("{}x{}", form.width, form.height),
+                                 "-r",       fmt::format("{:g}", form.fps),
                                  "-i",       "-",
                                  "-an"};
   const std::vector<std::string> mp4{"-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart"};
@@ -41,20 +42,26 @@ bool haveFfmpeg() { return isOnPath("ffmpeg"); }
 /// ffmpeg is killed before its file is removed.
 struct Movie::Impl {
   WholeFile file;
+  std::function<bool()> stop;
+  double patience, longestEnd = 60;  // s
   ChildProcess ffmpeg;
 
-  Impl(const std::filesystem::path& path, int width, int height, double fps)
-      : file(path), ffmpeg(commandLine(file.temporary(), width, height, fps)) {}
+  Impl(const std::filesystem::path& path, const MovieForm& form, std::function<bool()> stopped)
+      : file(path),
+        stop(std::move(stopped)),
+        patience(form.patience),
+        ffmpeg(commandLine(file.temporary(), form), {}, stop) {}
 
-  [[noreturn]] void refuse() const {
+  [[noreturn]] void refuse(const ChildProcess::Ending& ending) const {
     constexpr std::size_t kLongest = 2000;
-    const std::string reason(cutToBytes(ffmpeg.printed(), kLongest));
+    std::string reason(cutToBytes(ffmpeg.printed(), kLongest));
+    if (ending.kind == ChildProcess::Ending::Kind::TooLate) reason += "it did not go on";
     throw InputError("ffmpeg could not make the movie: " + (reason.empty() ? "it gave no reason" : reason));
   }
 };
 
-Movie::Movie(const std::filesystem::path& path, int width, int height, double fps) try
-    : impl_(std::make_unique<Impl>(path, width, height, fps)) {
+Movie::Movie(const std::filesystem::path& path, const MovieForm& form, std::function<bool()> stop) try
+    : impl_(std::make_unique<Impl>(path, form, std::move(stop))) {
 } catch (const std::system_error& error) {
   throw InputError("cannot start ffmpeg: " + error.code().message());
 }
@@ -62,15 +69,21 @@ Movie::Movie(const std::filesystem::path& path, int width, int height, double fp
 Movie::~Movie() = default;
 
 void Movie::add(const Picture& picture) {
+  constexpr double kLastWords = 1;  // s
   const auto* bytes = reinterpret_cast<const char*>(picture.rgba.data());
-  if (impl_->ffmpeg.write({bytes, picture.rgba.size()})) return;
-  impl_->ffmpeg.wait();
-  impl_->refuse();
+  // It may keep all that it gets until the end, and then take as long for it as the slowest machine needs.
+  constexpr double kSlowest = 1e-6;  // s a pixel
+  impl_->longestEnd += kSlowest * picture.width * picture.height;
+  if (impl_->ffmpeg.write({bytes, picture.rgba.size()}, impl_->patience) || impl_->stop()) return;
+  impl_->refuse(impl_->ffmpeg.wait(kLastWords));
 }
 
-void Movie::finish() {
-  if (impl_->ffmpeg.wait() != 0) impl_->refuse();
-  impl_->file.keep();
+bool Movie::finish() {
+  const ChildProcess::Ending ending = impl_->ffmpeg.wait(impl_->longestEnd);
+  if (ending.kind == ChildProcess::Ending::Kind::Stopped) return false;
+  if (!ending.good()) impl_->refuse(ending);
+  keepPictures({&impl_->file});
+  return true;
 }
 
 }  // namespace tyg

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "util/file_names.h"
+#include "util/visible_text.h"
 #include "util/whole_file.h"
 
 namespace tyg {
@@ -13,6 +14,8 @@ namespace {
 
 /// A pause longer than this is not filmed, s: a window that was hidden leaves no still picture.
 constexpr double kLongestGap = 1;
+/// An ffmpeg that takes no picture for so long is given up, s.
+constexpr double kPatience = 20;
 
 /// The upper left part of a picture.
 void cut(const Picture& from, int width, int height, Picture& to) {
@@ -37,43 +40,58 @@ std::string CaptureFiles::keep(const Picture& picture, const EventLog& log) {
   writePng(picture, folder_ / (stem + ".png"));
   writeWholeFile(folder_ / (stem + ".toml"), log.sceneText);
   writeWholeFile(folder_ / (stem + ".csv"), formatEventLog(log));
-  return stem + ".png is kept; tyg run --replay " + stem + ".csv does this run again.";
+  return stem + ".png is kept; tyg run --replay " + shellWord(stem + ".csv") + " does this run again.";
 }
 
 void CaptureFiles::beginMovie(const std::string& sceneName, int width, int height) {
   if (!haveFfmpeg()) throw InputError("movies need ffmpeg, which is not installed");
+  if (finishing()) throw InputError("the last movie is still being finished");
   width_ = width / 2 * 2, height_ = height / 2 * 2;
   movieName_ = freeStemFor(folder_, sceneName) + ".mp4";
   frames_ = 0;
-  movie_ = std::make_unique<Movie>(folder_ / movieName_, width_, height_, kFramesPerSecond);
+  const MovieForm form{.width = width_, .height = height_, .fps = kFramesPerSecond, .patience = kPatience};
+  movie_ = std::make_unique<MovieFeeder>(folder_ / movieName_, form);
 }
 
 std::string CaptureFiles::film(const Picture& picture, double now) {
-  if (!movie_) return {};
+  if (!filming()) return {};
   if (picture.width / 2 * 2 != width_ || picture.height / 2 * 2 != height_) return endMovie();
-  try {
-    if (frames_ > 0) {
-      began_ = std::max(began_, now - filmed() - kLongestGap);
-      const long due = std::lround((now - began_) * kFramesPerSecond);
-      for (; frames_ < due; ++frames_) movie_->add(frame_);
-    } else {
-      began_ = now;
-    }
-    cut(picture, width_, height_, frame_);
-    if (frames_ == 0) movie_->add(frame_), ++frames_;
-  } catch (...) {
-    movie_.reset();
-    throw;
+  if (frames_ > 0) {
+    began_ = std::max(began_, now - filmed() - kLongestGap);
+    const long due = std::lround((now - began_) * kFramesPerSecond);
+    if (due > frames_) movie_->add(frame_, due - frames_);
+    frames_ = std::max(frames_, due);
+  } else {
+    began_ = now;
   }
+  cut(picture, width_, height_, frame_);
+  if (frames_ == 0) movie_->add(frame_, 1), ++frames_;
   return {};
 }
 
 std::string CaptureFiles::endMovie() {
-  if (!movie_) return {};
-  const std::unique_ptr<Movie> movie = std::move(movie_);
-  if (frames_ == 0) return "The movie ended before it began: nothing was written.";
-  movie->finish();
-  return movieName_ + " is kept.";
+  if (!filming()) return {};
+  if (frames_ > 0) {
+    movie_->end();
+    return {};
+  }
+  movie_.reset();
+  return "The movie ended before it began: nothing was written.";
+}
+
+std::string CaptureFiles::movieDone() {
+  if (!movie_ || !movie_->isDone()) return {};
+  const std::unique_ptr<MovieFeeder> movie = std::move(movie_);
+  return movieName_ + (movie->result() ? " is kept." : " was given up before it was finished: nothing was written.");
+}
+
+std::string CaptureFiles::awaitMovie(const std::function<bool()>& hurry) {
+  constexpr double kOften = 0.1;  // s
+  constexpr int kMostWaits = 50;  // once there is no more time
+  for (int waits = 0; movie_ && !movie_->isDone(kOften);) {
+    if (hurry() && ++waits >= kMostWaits) movie_->giveUp();
+  }
+  return movieDone();
 }
 
 }  // namespace tyg

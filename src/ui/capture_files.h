@@ -3,12 +3,13 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
-#include "gfx/movie.h"
 #include "tyg/event_log.h"
 #include "tyg/scene.h"
+#include "ui/movie_feeder.h"
 
 namespace tyg {
 
@@ -26,18 +27,24 @@ class CaptureFiles {
   /// Begins a movie of pictures `width` x `height` (odd ones lose a row or column of pixels). Throws InputError where
   /// ffmpeg is missing or the file cannot be written.
   void beginMovie(const std::string& sceneName, int width, int height);
-  /// What is seen at this time (s, of any clock): it is shown until the next one. A picture of another size ends the
-  /// movie. Returns a sentence where the movie has ended, else nothing. Throws InputError with what ffmpeg said.
+  /// What is seen at this time (s, of any clock): it is shown until the next one. It is not waited for. A picture of
+  /// another size ends the movie. Returns a sentence where there is nothing to finish then.
   std::string film(const Picture& picture, double now);
-  /// Returns a sentence that names the file. Throws InputError with what ffmpeg said.
+  /// From here on the movie is finished in the background. Returns a sentence where there is nothing to finish.
   std::string endMovie();
-  [[nodiscard]] bool filming() const { return movie_ != nullptr; }
+  [[nodiscard]] bool filming() const { return movie_ && !movie_->ended(); }
+  [[nodiscard]] bool finishing() const { return movie_ && movie_->ended(); }
+  /// A sentence that names the file, once, when the movie is finished; until then nothing. Throws InputError with what
+  /// ffmpeg said where it has given up.
+  std::string movieDone();
+  /// Waits for what movieDone() says; once `hurry` says so no longer than five seconds, and then there is no file.
+  std::string awaitMovie(const std::function<bool()>& hurry);
   [[nodiscard]] double filmed() const { return double(frames_) / kFramesPerSecond; }  ///< s
   [[nodiscard]] const std::string& movieName() const { return movieName_; }           ///< of the last movie begun
 
  private:
   std::filesystem::path folder_;
-  std::unique_ptr<Movie> movie_;
+  std::unique_ptr<MovieFeeder> movie_;
   std::string movieName_;
   Picture frame_;
   int width_ = 0, height_ = 0;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "gfx/contexts/offscreen.h"
+#include "util/interrupt.h"
 
 namespace tyg {
 namespace {
@@ -42,6 +43,7 @@ void FrameCapture::toggleMovie(Viewer& viewer, Extent window) {
 }
 
 void FrameCapture::film(Viewer& viewer, Extent window) {
+  tell(viewer.notes(), [&] { return files_.movieDone(); });
   if (std::exchange(movieAsked_, false)) toggleMovie(viewer, window);
   if (!files_.filming()) return;
   readFramebuffer(window.width, window.height, pixels_);
@@ -55,7 +57,13 @@ void FrameCapture::takePicture(Viewer& viewer, Extent window) {
   tell(viewer.notes(), [&] { return files_.keep(pixels_, viewer.run().recordShown()); });
 }
 
+std::string FrameCapture::end() {
+  std::string said = files_.endMovie();
+  return said.empty() ? files_.awaitMovie(interrupted) : said;
+}
+
 std::string FrameCapture::filmingText() const {
+  if (files_.finishing()) return fmt::format("finishing {}", files_.movieName());
   if (!files_.filming()) return {};
   return fmt::format("filming into {}  \u00b7  {:.1f} s  \u00b7  Z ends it", files_.movieName(), files_.filmed());
 }

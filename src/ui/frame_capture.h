@@ -22,10 +22,13 @@ class FrameCapture {
   void film(Viewer& viewer, Extent window);
   /// When everything is drawn: the picture, if it was asked for.
   void takePicture(Viewer& viewer, Extent window);
-  /// `filming into NAME · 1.2 s · Z ends it`; empty while nothing is filmed.
+  /// `filming into NAME · 1.2 s · Z ends it`, then `finishing NAME`; empty while nothing is filmed.
   [[nodiscard]] std::string filmingText() const;
-  /// Ends a movie that is still being filmed. Returns a sentence that names the file, or nothing. Throws InputError.
-  std::string end() { return files_.endMovie(); }
+  /// Ends a movie that is still being filmed, and waits until it is finished. Returns a sentence that names the file,
+  /// or nothing. Throws InputError.
+  std::string end();
+  /// Whether a movie is being finished.
+  [[nodiscard]] bool busy() const { return files_.finishing(); }
 
  private:
   void toggleMovie(Viewer& viewer, Extent window);

@@ -8,6 +8,7 @@
 
 #include "util/calibration_clock.h"
 #include "util/interrupt.h"
+#include "util/visible_text.h"
 
 namespace tyg {
 namespace {
@@ -20,7 +21,7 @@ constexpr int kFramesToSettle = 4;
 /// Frames come no faster than this where the screen sets no rhythm, s.
 constexpr double kShortestFrame = 1.0 / 250;
 
-std::string titleOf(const Scene& scene) { return "Tyg: " + scene.title; }
+std::string titleOf(const Scene& scene) { return "Tyg: " + oneLine(scene.title); }
 
 std::unique_ptr<Window> openWindow(const FrameLoopOptions& options, const std::string& title) {
   const WindowOptions wanted{.title = title, .size = options.size};
@@ -49,7 +50,7 @@ std::string FrameLoop::run() {
     const double began = wallClock();
     takeEvents();
     viewer_.resize(window_->framebuffer(), insets());
-    const bool moving = !viewer_.idle() || panels_.busy();
+    const bool moving = !viewer_.idle() || panels_.busy() || capture_.busy();
     viewer_.frame();
     panels_.follow(viewer_);
     if (stale_ > 0 || moving || !viewer_.idle()) show();
@@ -71,7 +72,8 @@ void FrameLoop::takeEvents() {
   const bool hidden = shown_ == Extent{};
   const double rest = log_ ? kIdleSeconds : kAsleepSeconds;
   const double patience = viewer_.idle() || hidden ? rest : spare_;
-  for (const WindowEvent& event : window_->events(stale_ > 0 || panels_.busy() ? spare_ : patience)) {
+  for (const WindowEvent& event :
+       window_->events(stale_ > 0 || panels_.busy() || capture_.busy() ? spare_ : patience)) {
     stale_ = kFramesToSettle;
     (void)router_.route(event);
   }

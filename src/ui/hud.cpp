@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "tyg/methods.h"
+#include "util/visible_text.h"
 
 namespace tyg {
 
@@ -107,7 +108,7 @@ int Hud::keysWidth(Extent window) const {
 void Hud::draw(const Viewer& viewer, Panels& panels) {
   const Colours& colours = coloursOn(viewer.view().drawOptions().background);
   const TextWriter writer = writerFor(viewer);
-  const std::string_view title = viewer.run().simulation().scene().title;
+  const std::string title = oneLine(viewer.run().simulation().scene().title);
   writer.shade({size_, size_}, {size_ + writer.extent(title).x, 2 * size_});
   writer.write({size_, size_}, colours.text, title);
   const float free = drawFoot(viewer, panels);

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <system_error>
@@ -46,6 +47,7 @@ class Setup {
 
   [[nodiscard]] int spawn(pid_t& pid, std::vector<std::string> words) const {
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     return posix_spawnp(&pid, arguments.front(), &actions_, &attributes_, arguments.data(), environ);
@@ -55,6 +57,15 @@ class Setup {
   posix_spawn_file_actions_t actions_{};
   posix_spawnattr_t attributes_{};
 };
+
+using Clock = std::chrono::steady_clock;
+
+Clock::time_point after(double seconds) {
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+constexpr int kTenthOfASecond = 100, kHundredthOfASecond = 10;  // ms
+constexpr std::size_t kMostPrinted = std::size_t{4} << 20U;     // bytes
 
 /// Which of the `events` the socket is ready for; none where that takes longer than `milliseconds`.
 short awaited(int socket, short events, int milliseconds) {
@@ -75,7 +86,9 @@ bool isOnPath(const std::string& program) {
   return false;
 }
 
-ChildProcess::ChildProcess(const std::vector<std::string>& words, const std::filesystem::path& folder) {
+ChildProcess::ChildProcess(const std::vector<std::string>& words, const std::filesystem::path& folder,
+                           std::function<bool()> stop)
+    : stop_(std::move(stop)) {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) mustBeZero(errno);
   const int error = Setup(ends[1], folder).spawn(pid_, words);
@@ -83,13 +96,11 @@ ChildProcess::ChildProcess(const std::vector<std::string>& words, const std::fil
   if (error != 0) close(ends[0]);
   mustBeZero(error);
   socket_ = ends[0];
+  running_.emplace(pid_);
 }
 
 ChildProcess::~ChildProcess() {
-  if (pid_ != 0) {
-    kill();
-    reap();
-  }
+  if (pid_ != 0) end();
   close(socket_);
 }
 
@@ -97,45 +108,65 @@ ChildProcess::~ChildProcess() {
 bool ChildProcess::readSome() {
   std::array<char, 4096> buffer{};
   const ssize_t count = recv(socket_, buffer.data(), buffer.size(), 0);
-  if (count > 0) printed_.append(buffer.data(), static_cast<std::size_t>(count));
+  if (count > 0 && printed_.size() < kMostPrinted) printed_.append(buffer.data(), static_cast<std::size_t>(count));
   return count > 0 || (count < 0 && errno == EINTR);
 }
 
-bool ChildProcess::write(std::string_view bytes) {
-  constexpr int kAsLongAsItTakes = -1;
+bool ChildProcess::write(std::string_view bytes, double seconds) {
+  Clock::time_point latest = after(seconds);
   while (!bytes.empty()) {
-    const short ready = awaited(socket_, POLLIN | POLLOUT, kAsLongAsItTakes);
+    const short ready = awaited(socket_, POLLIN | POLLOUT, kTenthOfASecond);
+    if (stop_() || Clock::now() > latest) return false;
     if ((ready & POLLIN) != 0 && !readSome()) return false;
     if ((ready & (POLLOUT | POLLHUP | POLLERR)) == 0) continue;
     const ssize_t sent = send(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
     if (sent < 0 && errno != EINTR && errno != EAGAIN) return false;
+    if (sent > 0) latest = after(seconds);
     bytes.remove_prefix(sent < 0 ? 0 : static_cast<std::size_t>(sent));
   }
   return true;
 }
 
-int ChildProcess::wait(const std::function<bool()>& stop) {
-  constexpr int kTenthOfASecond = 100;  // ms
+ChildProcess::Ending ChildProcess::wait(double seconds) {
+  const Clock::time_point latest = after(seconds);
   shutdown(socket_, SHUT_WR);
-  for (bool open = true; open;) {
-    if (awaited(socket_, POLLIN, kTenthOfASecond) != 0) open = readSome();
-    if (stop()) {
-      kill();
-      break;
+  for (bool open = true; pid_ != 0;) {
+    // It may close its outputs and go on; what it has started may keep them open and go on without it.
+    const short ready = open ? awaited(socket_, POLLIN, kTenthOfASecond) : awaited(-1, 0, kHundredthOfASecond);
+    if (ready != 0) open = readSome();
+    if (ready == 0 || !open) (void)hasEnded();
+    if (pid_ != 0 && (stop_() || Clock::now() > latest)) {
+      const bool stopped = stop_();
+      end();
+      return {stopped ? Ending::Kind::Stopped : Ending::Kind::TooLate};
     }
   }
-  return reap();
+  constexpr int kMostReads = 1024;  // of last words; what it has started may print without end
+  for (int k = 0; k < kMostReads && awaited(socket_, POLLIN, 0) != 0 && readSome(); ++k) {
+  }
+  return {Ending::Kind::ByItself, status_};
 }
 
-void ChildProcess::kill() const { ::kill(-pid_, SIGKILL); }
-
-int ChildProcess::reap() {
+bool ChildProcess::hasEnded() {
   int status = 0;
-  while (waitpid(pid_, &status, 0) < 0) {
-    if (errno != EINTR) break;
+  const pid_t ended = waitpid(pid_, &status, WNOHANG);
+  if (ended == 0 || (ended < 0 && errno == EINTR)) return false;
+  forget(status);
+  return true;
+}
+
+void ChildProcess::end() {
+  kill(-pid_, SIGKILL);
+  int status = 0;
+  while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
   }
+  forget(status);
+}
+
+void ChildProcess::forget(int status) {
+  running_.reset();
   pid_ = 0;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  status_ = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 }  // namespace tyg

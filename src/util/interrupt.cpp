@@ -3,36 +3,35 @@
 
 #include <csignal>
 
+#include "util/sudden_end.h"
+
 namespace tyg {
 namespace {
 
-volatile std::sig_atomic_t raised = 0;
+volatile std::sig_atomic_t raised = 0, asked = 0;
 
-// A second signal finds the default action, so that a stuck program can still be ended.
 extern "C" void raiseFlag(int signal) {
   raised = 1;
-  std::signal(signal, SIG_DFL);
+  if (signal == SIGHUP) return;  // the kernel and the shell may both send it when a terminal closes
+  if (asked != 0) endBySignal(signal);
+  asked = 1;
 }
 
-void watch(int signal) {
-  if (std::signal(signal, raiseFlag) == SIG_IGN) std::signal(signal, SIG_IGN);
-}
-
-void unwatch(int signal) {
-  if (std::signal(signal, SIG_DFL) == SIG_IGN) std::signal(signal, SIG_IGN);
+void handle(int signal, void (*handler)(int)) {
+  if (std::signal(signal, handler) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
 
 }  // namespace
 
 InterruptWatch::InterruptWatch() {
+  prepareForSuddenEnd();
   raised = 0;
-  watch(SIGINT);
-  watch(SIGTERM);
+  asked = 0;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) handle(signal, raiseFlag);
 }
 
 InterruptWatch::~InterruptWatch() {
-  unwatch(SIGINT);
-  unwatch(SIGTERM);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) handle(signal, endBySignal);
 }
 
 bool interrupted() { return raised != 0; }

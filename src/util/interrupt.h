@@ -4,7 +4,8 @@
 
 namespace tyg {
 
-/// While one of these lives, the first Ctrl-C (or SIGTERM) only raises the flag; a second one ends the program at once.
+/// While one of these lives, the first Ctrl-C (or SIGTERM) only raises the flag; a second one ends the program at once,
+/// as sudden_end.h says. A terminal that is closed (SIGHUP) raises the flag too, however often it is told.
 /// Signals that the program was started with as ignored stay ignored.
 class InterruptWatch {
  public:

@@ -7,6 +7,9 @@
 
 namespace tyg {
 
+/// U+FFFD, which stands for what cannot be shown.
+inline constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
+
 struct Utf8Character {
   char32_t code = U'\uFFFD';  ///< the replacement character where the bytes are not UTF-8
   std::size_t length = 1;     ///< bytes that it takes; 1 where they are not UTF-8

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "util/sudden_end.h"
 
 namespace tyg {
 
@@ -20,19 +23,27 @@ void writeWholeFile(const std::filesystem::path& path, std::string_view bytes);
 /// trace.
 void checkWritable(const std::filesystem::path& path);
 
-/// For results that another program or a library writes piece by piece: write to temporary(), then keep(). Without
-/// keep() the temporary file is removed again.
+/// For results that come piece by piece, or that another program writes to temporary(): keep() puts the file in its
+/// place. Without keep(), and where the process ends before, the temporary file is removed again; what a process leaves
+/// that was killed is removed by the next one that writes the same file.
 class WholeFile {
  public:
-  explicit WholeFile(std::filesystem::path path);  ///< Throws InputError as checkWritable does
+  explicit WholeFile(const std::filesystem::path& path);  ///< Throws InputError as checkWritable does
   ~WholeFile();
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
-  [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_; }  ///< same folder and extension
-  void keep();                                                                         ///< Throws InputError
+
+  void write(std::string_view bytes);  ///< Throws InputError
+  /// Where the file will be: what links lead to.
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_; }  ///< same folder and ending
+  /// Throws InputError where nothing was written, or where the disk did not take all of it.
+  void keep();
 
  private:
   std::filesystem::path path_, temporary_;
+  int descriptor_ = -1;
+  std::optional<Unfinished> unfinished_;
   bool kept_ = false;
 };
 

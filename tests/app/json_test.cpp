@@ -18,6 +18,7 @@ TEST(Json, StringsAreEscapedAndStayValidUtf8) {
   EXPECT_EQ(jsonText("a\"b\\c\n\t\x01"), R"("a\"b\\c\n\t\u0001")");
   EXPECT_EQ(jsonText("\u00E5"), "\"\u00E5\"");
   EXPECT_EQ(jsonText("\xE5x"), "\"\uFFFDx\"");
+  EXPECT_EQ(jsonText("\x7F\xC2\x9B\xE2\x80\xAE\xF0\x9F\xBF\xBF"), R"("\u007f\u009b\u202e\ud83f\udfff")");
 }
 
 TEST(Json, NumbersReadBackAsThemselvesAndNonFiniteOnesAreNull) {

@@ -75,6 +75,14 @@ TEST(EventLog, CarriesItsScene) {
   EXPECT_EQ(parseEventLog(text, "log"), log);
 }
 
+TEST(EventLog, AFilesNameIsOneLineAndCannotBeAKeyOfItsOwn) {
+  EventLog log = fullLog();
+  log.scene = "a\n# ticks = 7\x1B\xFF.toml";
+  const EventLog read = parseEventLog(formatEventLog(log), "log");
+  EXPECT_EQ(read.scene, "a # ticks = 7\uFFFD\uFFFD.toml");
+  EXPECT_EQ(read.ticks, log.ticks);
+}
+
 TEST(EventLog, LooksAsPeopleExpect) {
   EventLog log = fullLog();
   std::get<PushEvent>(log.events[0].action).force = {0, -2, 0.1};

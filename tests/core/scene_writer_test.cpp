@@ -7,6 +7,7 @@
 
 #include "test_systems.h"
 #include "tyg/methods.h"
+#include "util/visible_text.h"
 
 namespace tyg::test {
 namespace {
@@ -47,6 +48,15 @@ TEST(SceneWriter, TextsKeepQuotesBackslashesControlsAndLetters) {
   scene.title = "a \"b\" \\ c\td\x7f";
   scene.shows = "två tyg\nrad";
   EXPECT_EQ(readBack(scene), scene);
+}
+
+TEST(SceneWriter, NothingInATextIsActiveInTheFileAndAllOfItReadsBack) {
+  Scene scene = emptyWorld(2, 2);
+  scene.title = "a\x1B[31m\xC2\x9B \xE2\x80\xAE \xEF\xBF\xBF \xF0\x9F\xBF\xBF";
+  EXPECT_EQ(readBack(scene), scene);
+  const std::string text = sceneToToml(scene, "of \x1B[31m\xFF.toml\nkey = 1");
+  EXPECT_EQ(text, withoutActive(text));
+  EXPECT_EQ(parseScene(text, scene.name), scene) << text;
 }
 
 TEST(SceneWriter, WhatAnEmptyWorldHasByItselfIsNotWritten) {

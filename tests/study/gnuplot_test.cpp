@@ -31,6 +31,15 @@ TEST_F(Gnuplot, DrawsInItsFolderWithTheDefinitionsGiven) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "it's.svg"));
 }
 
+TEST_F(Gnuplot, AnyBytesInQuotesAreThatTextAndNothingElse) {
+  const std::string active = "#'\"`touch owned`$(touch owned)\\\n@x\\07 7{/*9 y}%d\xC3\xA9\xFF\x1B";
+  const GnuplotOutcome outcome =
+      run("do for [k in 'a b'] {\n  x = 1\n  print " + gnuplotQuoted(active) + "\n}\nprint given\n",
+          {"given=" + gnuplotQuoted(active)});
+  EXPECT_EQ(outcome.message, active + "\n" + active + "\n" + active + "\n");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "owned"));
+}
+
 TEST_F(Gnuplot, AScriptWithAMistakeFailsWithWhatGnuplotSaid) {
   const GnuplotOutcome outcome = run("plot nothing_of_that_name\n");
   EXPECT_EQ(outcome.kind, Kind::Failed);

@@ -213,7 +213,7 @@ TEST(StabilityScript, OfMethodsWithoutALimitPlotsNoLimits) {
 
 TEST(StabilityScript, HasAPanelForEveryMethodWithARegion) {
   const std::string script = stabilityScript(studied("leapfrog rk4 xpbd"));
-  for (const char* part : {"$region0", "$region1", "'leapfrog, undamped'", "set terminal svg", "pngcairo"}) {
+  for (const char* part : {"$region0", "$region1", "\"leapfrog, undamped\"", "set terminal svg", "pngcairo"}) {
     EXPECT_NE(script.find(part), std::string::npos) << part;
   }
   EXPECT_EQ(script.find("$region2"), std::string::npos);

@@ -36,7 +36,7 @@ bool holds(const std::string& text, const std::string& part) { return text.find(
 TEST(WorkChart, DrawsBothPicturesFromTheRowsBesideIt) {
   const std::string script = workChartScript(someChart());
   for (const char* part :
-       {"rows.csv", "svg", "pngcairo", "'It''s a test'", "is('rk4','double')", "is('leapfrog','float')"}) {
+       {"rows.csv", "svg", "pngcairo", "\"It\\047s a test\"", "is(\"rk4\",'double')", "is(\"leapfrog\",'float')"}) {
     EXPECT_TRUE(holds(script, part)) << part;
   }
   EXPECT_FALSE(holds(script, "compare.csv"));

@@ -52,6 +52,17 @@ TEST(WorkRows, OfFailedRunsKeepTheirStatusAndHaveNoError) {
   }
 }
 
+TEST(WorkRows, OfRunsThatHeldHaveFiniteNumbers) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  for (const double wrong : {kInfinite, -1.0, std::nan("")}) {
+    for (double WorkRow::*number : {&WorkRow::dt, &WorkRow::tolerance, &WorkRow::seconds, &WorkRow::rmsError}) {
+      WorkRow row = someRow("rk4", 1e-3, 0.1, 24);
+      row.*number = wrong;
+      EXPECT_THROW(parseWorkCsv(workCsv({row}), "old.csv"), InputError) << workCsv({row});
+    }
+  }
+}
+
 TEST(WorkRows, OfAnotherFileAreRefusedByLine) {
   const std::string good = workCsv({someRow("rk4", 1e-3, 0.1, 24)});
   const auto refusal = [](const std::string& text) -> std::string {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "files.h"
@@ -60,10 +61,26 @@ TEST_F(CaptureFilesTest, AMovieKeepsTheRhythmOfTheClockAndEndsWhenTheWindowChang
   EXPECT_TRUE(files_.film(picture(65, 49), 10.0).empty());
   EXPECT_TRUE(files_.film(picture(65, 49), 10.5).empty());
   EXPECT_NEAR(files_.filmed(), 0.5, 1 / CaptureFiles::kFramesPerSecond);
-  const std::string said = files_.film(picture(80, 60), 10.6);
+  EXPECT_TRUE(files_.film(picture(80, 60), 10.6).empty());
+  EXPECT_TRUE(files_.finishing());
+  EXPECT_THROW(files_.beginMovie("curtain", 80, 60), InputError) << "one at a time";
+  const std::string said = files_.awaitMovie([] { return false; });
   EXPECT_NE(said.find("tyg-curtain-1.mp4"), std::string::npos) << said;
   EXPECT_FALSE(files_.filming());
   EXPECT_GT(std::filesystem::file_size(folder_ / "tyg-curtain-1.mp4"), 100U);
+}
+
+TEST_F(CaptureFilesTest, AnFfmpegThatHangsIsNotWaitedFor) {
+  const Folder bin;
+  const auto path = bin.write("ffmpeg", "#!/bin/sh\nexec sleep 1000\n");
+  std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+  setenv("PATH", (bin.path().string() + ":" + std::getenv("PATH")).c_str(), 1);
+  files_.beginMovie("curtain", 640, 480);
+  for (int frame = 0; frame < 100; ++frame) EXPECT_TRUE(files_.film(picture(640, 480), frame / 10.0).empty());
+  EXPECT_TRUE(files_.endMovie().empty());
+  EXPECT_TRUE(files_.movieDone().empty()) << "not yet";
+  EXPECT_NE(files_.awaitMovie([] { return true; }).find("given up"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
 }
 
 TEST_F(CaptureFilesTest, AMovieThatIsNotEndedLeavesNoFile) {

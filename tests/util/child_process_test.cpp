@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cerrno>
+#include <csignal>
 #include <system_error>
 
 #include "files.h"
@@ -12,7 +13,10 @@
 namespace tyg {
 namespace {
 
-constexpr std::size_t kMuch = 1'000'000;  // bytes: more than any socket or pipe holds
+using Kind = ChildProcess::Ending::Kind;
+
+constexpr double kLong = 60, kShort = 0.2;  // s
+constexpr std::size_t kMuch = 1'000'000;    // bytes: more than any socket or pipe holds
 
 std::vector<std::string> shell(const std::string& script) { return {"sh", "-c", script}; }
 
@@ -24,30 +28,30 @@ bool runs(const std::string& number) {
 
 TEST(ChildProcess, ReadsWhatItIsFedAndPrintsOnBothOutputs) {
   ChildProcess child(shell("cat; echo error >&2; exit 3"));
-  EXPECT_TRUE(child.write("hello\n"));
-  EXPECT_EQ(child.wait(), 3);
+  EXPECT_TRUE(child.write("hello\n", kLong));
+  EXPECT_EQ(child.wait(kLong).status, 3);
   EXPECT_EQ(child.printed(), "hello\nerror\n");
 }
 
 TEST(ChildProcess, OneThatPrintsMuchBeforeItReadsDoesNotBlock) {
   ChildProcess child(shell("head -c 1000000 /dev/zero >&2; wc -c"));
-  EXPECT_TRUE(child.write(std::string(kMuch, 'x')));
-  EXPECT_EQ(child.wait(), 0);
+  EXPECT_TRUE(child.write(std::string(kMuch, 'x'), kLong));
+  EXPECT_TRUE(child.wait(kLong).good());
   EXPECT_EQ(child.printed().substr(kMuch), "1000000\n");
 }
 
 TEST(ChildProcess, OneThatEndsEarlyIsNoticedAndItsLastWordsAreKept) {
   ChildProcess child(shell("echo enough; exit 1"));
-  while (child.write(std::string(kMuch, 'x'))) {
+  while (child.write(std::string(kMuch, 'x'), kLong)) {
   }
-  EXPECT_EQ(child.wait(), 1);
+  EXPECT_EQ(child.wait(kLong).status, 1);
   EXPECT_EQ(child.printed(), "enough\n");
 }
 
 TEST(ChildProcess, RunsInTheFolderThatIsNamed) {
   const Folder folder;
   ChildProcess child(shell("touch here"), folder.path());
-  EXPECT_EQ(child.wait(), 0);
+  EXPECT_TRUE(child.wait(kLong).good());
   EXPECT_TRUE(std::filesystem::exists(folder / "here"));
 }
 
@@ -63,11 +67,41 @@ TEST(ChildProcess, WhereThereIsNoSuchProgramTheErrorSaysSo) {
 }
 
 TEST(ChildProcess, OneThatIsStoppedDoesNotGoOnAndNorDoesWhatItStarted) {
-  ChildProcess child(shell("sleep 100 & echo $!; wait"));
-  const auto stop = [&] { return child.printed().ends_with('\n'); };
-  EXPECT_EQ(child.wait(stop), -1);
+  const ChildProcess* running = nullptr;
+  ChildProcess child(shell("sleep 100 & echo $!; wait"), {}, [&] { return running->printed().ends_with('\n'); });
+  running = &child;
+  EXPECT_EQ(child.wait(kLong).kind, Kind::Stopped);
   while (runs(child.printed())) {  // until the signal has reached it
   }
+}
+
+TEST(ChildProcess, OneThatHangsIsEndedWhenItsTimeIsOver) {
+  ChildProcess child(shell("echo here; exec sleep 100"));
+  const ChildProcess::Ending ending = child.wait(kShort);
+  EXPECT_EQ(ending.kind, Kind::TooLate);
+  EXPECT_FALSE(ending.good());
+  EXPECT_EQ(child.printed(), "here\n");
+}
+
+TEST(ChildProcess, OneThatClosesItsOutputsAndGoesOnHasADeadlineToo) {
+  ChildProcess child(shell("exec <&- >&- 2>&- sleep 100"));
+  EXPECT_EQ(child.wait(kShort).kind, Kind::TooLate);
+}
+
+TEST(ChildProcess, OneThatLeavesAnotherBehindHasEndedAllTheSame) {
+  ChildProcess child(shell("sleep 100 & echo $!"));
+  EXPECT_TRUE(child.wait(kLong).good());
+  ::kill(std::stoi(child.printed()), SIGKILL);
+}
+
+TEST(ChildProcess, OneThatTakesNothingIsGivenUp) {
+  ChildProcess child(shell("exec sleep 100"));
+  EXPECT_FALSE(child.write(std::string(kMuch, 'x'), kShort));
+}
+
+TEST(ChildProcess, WritingEndsWhenItIsStopped) {
+  ChildProcess child(shell("exec sleep 100"), {}, [] { return true; });
+  EXPECT_FALSE(child.write(std::string(kMuch, 'x'), kLong));
 }
 
 TEST(ChildProcess, OneThatNobodyWaitsForIsEnded) {

@@ -1,6 +1,8 @@
 // Files appear whole or not at all, and a place that cannot be written is known beforehand.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
@@ -57,6 +59,15 @@ TEST(WholeFile, MakesWhatALinkPointsToWhereItIsNotThereYet) {
   EXPECT_TRUE(fs::is_symlink(folder / "first.csv"));
   EXPECT_TRUE(fs::is_symlink(folder / "second.csv"));
   EXPECT_EQ(contentsOf(folder / "real.csv"), "new");
+}
+
+TEST(WholeFile, ALinkThatLeadsBackToItselfIsRefusedAndStays) {
+  const Folder folder;
+  fs::create_symlink("second", folder / "first");
+  fs::create_symlink("first", folder / "second");
+  EXPECT_TRUE(holds(refusalOf(folder / "first"), "a link that leads back to itself")) << refusalOf(folder / "first");
+  EXPECT_TRUE(holds(refusalOf(folder / "first" / "a.csv"), "cannot be found"));
+  EXPECT_TRUE(fs::is_symlink(folder / "first"));
 }
 
 TEST(WholeFile, CheckingLeavesNoTrace) {
@@ -121,6 +132,35 @@ TEST(WholeFile, ThatIsNotKeptGoesAway) {
     std::ofstream(file.temporary()) << "half of the frames";
   }
   EXPECT_EQ(folder.fileCount(), 0U);
+}
+
+TEST(WholeFile, TwoWritersOfOneFileDoNotMixAndTheLastOneIsKept) {
+  const Folder folder;
+  WholeFile first(folder / "a.csv"), second(folder / "a.csv");
+  EXPECT_NE(first.temporary(), second.temporary());
+  first.write("of the first");
+  second.write("of the ");
+  first.keep();
+  second.write("second");
+  second.keep();
+  EXPECT_EQ(contentsOf(folder / "a.csv"), "of the second");
+  EXPECT_EQ(folder.fileCount(), 1U);
+}
+
+TEST(WholeFile, WhatAKilledProcessHasLeftIsClearedByTheNextWriterOfTheSameFile) {
+  const Folder folder;
+  if (const pid_t child = fork(); child == 0) {
+    WholeFile file(folder / "a.csv");
+    file.write("half");
+    (void)std::raise(SIGKILL);
+  } else {
+    waitpid(child, nullptr, 0);
+  }
+  ASSERT_EQ(folder.fileCount(), 1U);
+  writeWholeFile(folder / "b.csv", "another");
+  EXPECT_EQ(folder.fileCount(), 2U);
+  writeWholeFile(folder / "a.csv", "whole");
+  EXPECT_EQ(folder.fileCount(), 2U);
 }
 
 /// As long as this lives, no file grows beyond `bytes`: writing fails as it does on a full disk.

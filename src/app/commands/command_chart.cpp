@@ -19,6 +19,7 @@
 #include "util/calibration_clock.h"
 #include "util/interrupt.h"
 #include "util/machine.h"
+#include "util/visible_text.h"
 #include "util/whole_file.h"
 #include "util/workers.h"
 
@@ -80,6 +81,14 @@ struct Earlier {
   std::vector<WorkRow> rows;
 };
 
+/// Simulated seconds of an earlier file's runs: steps of equal size make up the whole run.
+double durationOf(const std::vector<WorkRow>& rows, double otherwise) {
+  for (const WorkRow& row : rows) {
+    if (row.status == RowStatus::Ok && row.tolerance == 0) return static_cast<double>(row.steps) * row.dt;
+  }
+  return otherwise;
+}
+
 Earlier readEarlier(const Scene& scene, const std::string& path) {
   Earlier earlier;
   if (path.empty()) return earlier;
@@ -94,15 +103,10 @@ Earlier readEarlier(const Scene& scene, const std::string& path) {
     if (row.scene == scene.name && row.columns == scene.columns && row.rows == scene.rows) continue;
     throw InputError("--compare: found " + rowsOf(row.scene, row.columns, row.rows) + ", " + allowed);
   }
-  return earlier;
-}
-
-/// Simulated seconds of an earlier file's runs: steps of equal size make up the whole run.
-double durationOf(const std::vector<WorkRow>& rows, double otherwise) {
-  for (const WorkRow& row : rows) {
-    if (row.status == RowStatus::Ok && row.tolerance == 0) return static_cast<double>(row.steps) * row.dt;
+  if (const double duration = durationOf(earlier.rows, scene.duration); !std::isfinite(duration)) {
+    throw InputError("--compare: found steps in '" + path + "' that add up to no finite time, " + allowed);
   }
-  return otherwise;
+  return earlier;
 }
 
 /// The parts of the work share one line of progress.
@@ -199,17 +203,19 @@ int chart(const ChartOptions& options) {
   if (stopped && drawn.rows.empty()) return sayInterrupted("tyg chart");
   // A whole chart is worth more than the part of one.
   if (stopped && fs::exists(folder / "rows.csv")) folder = preparedFolder(folder / "interrupted", files);
-  // What an earlier chart left here does not belong to these rows.
-  for (const std::string& old : files) fs::remove(folder / old);
   writeWholeFile(folder / "rows.csv", workCsv(drawn.rows));
-  if (!sheets.empty()) writeWholeFile(folder / "sheets.csv", sheetsCsv(sheets));
-  if (!earlier.rows.empty()) writeWholeFile(folder / "compare.csv", earlier.text);
-  if (!study.pastHorizon.empty()) writeWholeFile(folder / "past_horizon.csv", pastHorizonCsv(study.pastHorizon));
+  // What an earlier chart left here does not belong to these rows.
+  const auto writeOrRemove = [&](const char* name, const std::string& text) {
+    text.empty() ? void(fs::remove(folder / name)) : writeWholeFile(folder / name, text);
+  };
+  writeOrRemove("sheets.csv", sheets.empty() ? "" : sheetsCsv(sheets));
+  writeOrRemove("compare.csv", earlier.rows.empty() ? "" : earlier.text);
+  writeOrRemove("past_horizon.csv", study.pastHorizon.empty() ? "" : pastHorizonCsv(study.pastHorizon));
   writeWholeFile(folder / "chart.gp", workChartScript(drawn));
   if (stopped) {
     return sayInterrupted("tyg chart",
                           fmt::format("the {} rows so far are in {}; `cd {} && gnuplot chart.gp` draws them",
-                                      drawn.rows.size(), (folder / "rows.csv").string(), folder.string()));
+                                      drawn.rows.size(), (folder / "rows.csv").string(), shellWord(folder.string())));
   }
   for (const std::string& note : drawn.notes) std::cout << note << "\n";
   for (const std::string& line : pastHorizonLines(study.pastHorizon)) {

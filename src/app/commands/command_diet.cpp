@@ -15,6 +15,7 @@
 #include "util/amounts.h"
 #include "util/calibration_clock.h"
 #include "util/interrupt.h"
+#include "util/visible_text.h"
 #include "util/whole_file.h"
 #include "util/workers.h"
 
@@ -92,7 +93,7 @@ void writeFiles(const DietFindings& findings, const std::filesystem::path& folde
   writeWholeFile(folder / "diet.csv", dietCsv(findings));
   writeWholeFile(folder / "lean.toml", sceneToToml(reduced.scene, leanComment(findings)));
   // Last: where nothing can draw, all that was computed is there.
-  const std::string title = fmt::format("{}: furthest apart, {}, at t = {}", written.title,
+  const std::string title = fmt::format("{}: furthest apart, {}, at t = {}", oneLine(written.title),
                                         lengthText(reduced.lost.rms), timeText(reduced.worstAt));
   const std::string words = "the most reduced scene within " + lengthText(findings.diet.within);
   const Picture picture = overlaid({written, "as written"}, {reduced.scene, words}, reduced.worstAt, title);

@@ -1,4 +1,5 @@
 // `tyg view`: its options, the record of the run, and what happens where no window can be opened.
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "util/amounts.h"
 #include "util/calibration_clock.h"
 #include "util/interrupt.h"
+#include "util/sudden_end.h"
 #include "util/whole_file.h"
 #include "viewer/viewer.h"
 
@@ -37,6 +39,16 @@ FrameLoopOptions loopOptions(const ViewOptions& options) {
           .log = options.log};
 }
 
+/// Xlib ends the program itself where its display has gone.
+void sayAndKeep(const std::function<void()>& keep) {
+  try {
+    keep();
+    std::cerr << "tyg view: the display has gone, and the window with it" << std::endl;
+  } catch (const std::exception& error) {
+    std::cerr << "tyg view: the display has gone; " << error.what() << std::endl;
+  }
+}
+
 int view(const ViewOptions& options) {
   const Scene scene = chosenScene(options.scene);
   if (options.log) checkWritable(*options.log);
@@ -53,6 +65,8 @@ int view(const ViewOptions& options) {
     if (const EventLog log = viewer.run().record(); log.ticks > 0) keep(log);
   };
   const InterruptWatch watch;
+  ignoreClosedPipes();  // whoever reads the messages may leave before the window does
+  const AtExit recordFirst([&] { sayAndKeep(keepWhatRan); });
   try {
     const std::string left = FrameLoop(loopOptions(options), viewer).run();
     if (!left.empty()) std::cerr << "tyg view: " << left << std::endl;

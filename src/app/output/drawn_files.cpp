@@ -5,10 +5,12 @@
 #include <iostream>
 
 #include "app/output/exit_code.h"
+#include "app/output/progress.h"
 #include "study/charts/gnuplot.h"
 #include "tyg/scene.h"
 #include "util/interrupt.h"
-#include "util/whole_file.h"
+#include "util/visible_text.h"
+#include "util/whole_picture.h"
 
 namespace tyg {
 
@@ -17,7 +19,8 @@ namespace fs = std::filesystem;
 fs::path preparedFolder(const std::string& name, std::span<const std::string> files) {
   std::error_code error;
   fs::create_directories(name, error);
-  if (!fs::is_directory(name)) {
+  std::error_code none;
+  if (!fs::is_directory(name, none)) {
     throw InputError("--out: found '" + name + "', allowed is a folder that exists or can be made (" + error.message() +
                      ")");
   }
@@ -29,13 +32,13 @@ int drawFiles(const std::string& command, const fs::path& folder, const std::str
   const std::string script = stem + ".gp";
   WholeFile svg(folder / (stem + ".svg")), png(folder / (stem + ".png"));
   const GnuplotOutcome outcome = runGnuplot(folder, script,
-                                            {"svg=" + gnuplotQuoted(svg.temporary().filename().string()),
-                                             "png=" + gnuplotQuoted(png.temporary().filename().string())});
-  if (interrupted()) return kInterrupted;
+                                            {"svg=" + gnuplotQuoted(fs::absolute(svg.temporary()).string()),
+                                             "png=" + gnuplotQuoted(fs::absolute(png.temporary()).string())});
+  if (interrupted()) return sayInterrupted(command, "the pictures were not drawn");
   if (outcome.kind == GnuplotOutcome::Kind::Missing) {
     std::cout << "gnuplot is not installed: " << (folder / rows).string() << " and " << (folder / script).string()
-              << " are written;\nwith it, `cd " << folder.string() << " && gnuplot " << script << "` draws " << stem
-              << ".svg and " << stem << ".png" << std::endl;
+              << " are written;\nwith it, `cd " << shellWord(folder.string()) << " && gnuplot " << script << "` draws "
+              << stem << ".svg and " << stem << ".png" << std::endl;
     return kDone;
   }
   if (outcome.kind == GnuplotOutcome::Kind::Failed) {
@@ -43,8 +46,7 @@ int drawFiles(const std::string& command, const fs::path& folder, const std::str
               << outcome.message << "allowed is a gnuplot 5 with the terminals svg and pngcairo" << std::endl;
     return kWrongInput;
   }
-  svg.keep();
-  png.keep();
+  keepPictures({&svg, &png});
   for (const std::string& file : {rows, script, stem + ".svg", stem + ".png"}) {
     std::cout << (folder / file).string() << "\n";
   }

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
-#include <utility>
 
 #include <fmt/core.h>
 
 #include "app/output/exit_code.h"
 #include "util/interrupt.h"
+#include "util/visible_text.h"
 
 namespace tyg {
 namespace {
@@ -21,8 +21,8 @@ constexpr const char* kWipe = "\r\033[K";
 
 }  // namespace
 
-Progress::Progress(std::string what)
-    : what_(std::move(what)), terminal_(isatty(STDERR_FILENO) == 1), nextDraw_(start_ + kQuietAtFirst) {}
+Progress::Progress(std::string_view what)
+    : what_(oneLine(what)), terminal_(isatty(STDERR_FILENO) == 1), nextDraw_(start_ + kQuietAtFirst) {}
 
 Progress::~Progress() { finish(); }
 

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace tyg {
 
@@ -14,7 +15,7 @@ namespace tyg {
 class Progress {
  public:
   /// `what` is a few words in front of the percentage.
-  explicit Progress(std::string what);
+  explicit Progress(std::string_view what);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;

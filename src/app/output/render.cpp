@@ -29,10 +29,15 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kFramingPoints = 2000;  // particles that the view is fitted to, at each time
 
+bool isFolder(const fs::path& path) {
+  std::error_code none;
+  return fs::is_directory(path, none);
+}
+
 enum class Form { Picture, Movie, Folder };
 Form formOf(const fs::path& out) {
   const std::string ending = endingOf(out);
-  if (!ending.empty() && ending != ".png" && ending != ".mp4" && ending != ".gif" && !fs::is_directory(out)) {
+  if (!ending.empty() && ending != ".png" && ending != ".mp4" && ending != ".gif" && !isFolder(out)) {
     throw InputError("--out: found '" + out.string() + "', allowed are FILE.png, FILE.mp4, FILE.gif and a folder");
   }
   return ending == ".png" ? Form::Picture : ending == ".mp4" || ending == ".gif" ? Form::Movie : Form::Folder;
@@ -144,7 +149,7 @@ void checkOutput(const RenderRequest& request) {
   if (form != Form::Folder) return checkWritable(request.out);
   std::error_code error;
   fs::create_directories(request.out, error);
-  if (!fs::is_directory(request.out)) {
+  if (!isFolder(request.out)) {
     throw InputError(found + ", allowed is a folder that exists or can be made (" + error.message() + ")");
   }
   checkWritable(frameFile(request, 0));
@@ -187,7 +192,7 @@ int renderSequence(const Scene& scene, const RenderRequest& request) {
 
   const bool isMovie = formOf(request.out) == Form::Movie;
   std::optional<Movie> movie;
-  if (isMovie) movie.emplace(request.out, request.size.x, request.size.y, request.fps);
+  if (isMovie) movie.emplace(request.out, MovieForm{request.size.x, request.size.y, request.fps}, interrupted);
   Motion3d motion(scene, request.threads, [](double) { return !interrupted(); });
   for (std::size_t frame = 0; frame < request.times.size(); ++frame) {
     if (!motion.reach(request.times[frame])) return stopped(motion.simulation(), progress);
@@ -195,7 +200,7 @@ int renderSequence(const Scene& scene, const RenderRequest& request) {
     isMovie ? movie->add(picture) : writePng(picture, frameFile(request, frame));
     progress.show(kFirstShare + (1 - kFirstShare) * double(frame + 1) / double(request.times.size()));
   }
-  if (movie) movie->finish();
+  if (movie && !movie->finish()) return stopped(motion.simulation(), progress);
   return kDone;
 }
 

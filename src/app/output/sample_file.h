@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 
 #include "tyg/simulation.h"
 #include "util/whole_file.h"
@@ -20,9 +19,7 @@ class SampleFile {
   void keep();
 
  private:
-  std::filesystem::path path_;
   WholeFile file_;
-  std::ofstream stream_;
 };
 
 }  // namespace tyg

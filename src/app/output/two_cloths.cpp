@@ -9,6 +9,7 @@
 #include "tyg/methods.h"
 #include "tyg/simulation.h"
 #include "ui/captions.h"
+#include "util/visible_text.h"
 
 namespace tyg {
 namespace {
@@ -26,7 +27,7 @@ std::vector<float> positionsAt(const Scene& scene, double time) {
   Simulation simulation(scene, findMethod(scene.integrator));
   if (time > 0) simulation.advanceTo(time);
   if (simulation.status() != Status::Ok)
-    throw InputError(scene.title + ": its run fails before the time of the picture");
+    throw InputError(oneLine(scene.title) + ": its run fails before the time of the picture");
   std::vector<float> xyz(3 * static_cast<std::size_t>(simulation.sheet().count()));
   simulation.copyPositions(xyz);
   return xyz;

@@ -10,6 +10,7 @@
 #include "tyg/methods.h"
 #include "tyg/sheet.h"
 #include "util/amounts.h"
+#include "util/visible_text.h"
 
 namespace tyg {
 namespace {
@@ -110,8 +111,8 @@ std::string tenTimesText(const Scene& scene, const Advice& advice) {
 }  // namespace
 
 std::string adviceText(const Scene& scene, const Advice& advice) {
-  std::string text = fmt::format("{}: {} x {} particles, {:.4g} s\nasked for     {}\n\n", scene.title, scene.columns,
-                                 scene.rows, scene.duration, requestText(advice.request));
+  std::string text = fmt::format("{}: {} x {} particles, {:.4g} s\nasked for     {}\n\n", oneLine(scene.title),
+                                 scene.columns, scene.rows, scene.duration, requestText(advice.request));
   if (!advice.promise) {
     return text + (advice.runs > 0 ? "Every run of the study failed, so nothing can be advised.\n"
                                    : "None of the allowed methods takes this scene and may be advised.\n");

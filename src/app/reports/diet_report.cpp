@@ -11,6 +11,7 @@
 #include "util/amounts.h"
 #include "util/csv.h"
 #include "util/text.h"
+#include "util/visible_text.h"
 
 namespace tyg {
 namespace {
@@ -151,8 +152,8 @@ std::string rowCsv(const char* part, const DietRow& row) {
 std::string dietTable(const DietFindings& findings) {
   const Diet& diet = findings.diet;
   const Scene& scene = diet.written.scene;
-  std::string text = fmt::format("{}: {} x {} particles, {:.4g} s, {}\n\n", scene.title, scene.columns, scene.rows,
-                                 scene.duration, settingWords(scene));
+  std::string text = fmt::format("{}: {} x {} particles, {:.4g} s, {}\n\n", oneLine(scene.title), scene.columns,
+                                 scene.rows, scene.duration, settingWords(scene));
   text += fmt::format(kTableLine, "one change at a time", "lost", "most", "stretch", "sag", "energy", "saved") + "\n";
   text += fmt::format(kTableLine, "", "mm", "mm", "%", "m", "J", "time") + "\n";
   text += tableLine(diet.written, diet, diet.written.words);

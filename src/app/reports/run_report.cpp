@@ -14,6 +14,7 @@
 #include "study/limits/stability.h"
 #include "tyg/methods.h"
 #include "util/text.h"
+#include "util/visible_text.h"
 #include "viewer/cure.h"
 
 namespace tyg {
@@ -56,9 +57,9 @@ std::string accuracyAsked(const Simulation& simulation) {
 
 std::string sizeAndMethod(const Simulation& simulation) {
   const Scene& scene = simulation.scene();
-  return fmt::format("{}: {} x {} particles, {} with {}, {}, {} thread{}", scene.title, scene.columns, scene.rows,
-                     simulation.method().name, accuracyAsked(simulation), nameOf(scene.precision), simulation.threads(),
-                     simulation.threads() == 1 ? "" : "s");
+  return fmt::format("{}: {} x {} particles, {} with {}, {}, {} thread{}", oneLine(scene.title), scene.columns,
+                     scene.rows, simulation.method().name, accuracyAsked(simulation), nameOf(scene.precision),
+                     simulation.threads(), simulation.threads() == 1 ? "" : "s");
 }
 
 /// Energies and stretch, where they still say something: those of a run that has blown up are digits without meaning.
@@ -200,7 +201,7 @@ std::string runPlan(const Simulation& simulation) {
   const Scene& scene = simulation.scene();
   const Method& method = simulation.method();
   std::string text = sizeAndMethod(simulation) + "\n";
-  if (!scene.shows.empty()) text += scene.shows + "\n";
+  if (!scene.shows.empty()) text += oneLine(scene.shows) + "\n";
   text += "springs (ks in N/m, kd in N s/m): ";
   for (const ForceTerm* term : forceTerms()) {
     const auto number = [&](const Parameter& parameter) { return valueText(parameter, scene); };

@@ -12,6 +12,7 @@
 #include "tyg/sheet.h"
 #include "util/suggestion.h"
 #include "util/text.h"
+#include "util/visible_text.h"
 #include "util/whole_file.h"
 
 namespace tyg {
@@ -183,7 +184,7 @@ Scene parseScene(std::string_view text, const std::string& fileName, std::span<c
   try {
     const toml::table root = toml::parse(text, std::string_view(fileName));
     Scene scene;
-    scene.name = fileName;
+    scene.name = oneLine(fileName);  // it goes into files and onto screens
     readRoot(SceneTable(root, "", fileName), scene, methods);
     return scene;
   } catch (const toml::parse_error& mistake) {

@@ -8,6 +8,8 @@
 
 #include "core/scene/term_keys.h"
 #include "util/text.h"
+#include "util/utf8.h"
+#include "util/visible_text.h"
 
 namespace tyg {
 namespace {
@@ -27,20 +29,20 @@ std::string vectorText(const Vec3& vector) {
   return fmt::format("[{}, {}, {}]", numberText(vector.x), numberText(vector.y), numberText(vector.z));
 }
 
-/// A TOML basic string with its quotes.
+/// A TOML basic string with its quotes. What is active in a text is written as an escape, and reads back.
 std::string quoted(std::string_view text) {
   std::string literal = "\"";
-  for (const char character : text) {
-    const auto code = static_cast<unsigned char>(character);
-    if (character == '"' || character == '\\') {
-      literal += {'\\', character};
-    } else if (code < 0x20 || code == 0x7F) {
-      constexpr std::string_view kDigits = "0123456789ABCDEF";
-      literal += "\\u00";
-      literal += {kDigits[code / 16], kDigits[code % 16]};
+  while (!text.empty()) {
+    const Utf8Character character = firstCharacter(text);
+    const std::uint32_t code = character.code;
+    if (code == '"' || code == '\\') {
+      literal += {'\\', text.front()};
+    } else if (isActive(code)) {
+      literal += code <= 0xFFFF ? fmt::format("\\u{:04X}", code) : fmt::format("\\U{:08X}", code);
     } else {
-      literal += character;
+      literal += code == U'\uFFFD' ? kReplacement : text.substr(0, character.length);
     }
+    text.remove_prefix(character.length);
   }
   return literal + '"';
 }
@@ -52,7 +54,10 @@ std::string placeText(const Place& place) {
 
 class Writer {
  public:
-  void comment(std::string_view text) {
+  /// Nothing that is active gets into a comment, which TOML would not read.
+  void comment(std::string_view words) {
+    const std::string shown = withoutActive(words);
+    std::string_view text = shown;
     while (!text.empty()) {
       const std::size_t end = std::min(text.find('\n'), text.size());
       text_.append("# ").append(text.substr(0, end)).append("\n");

@@ -8,6 +8,7 @@
 #include "core/simulation/event_log_version_1.h"
 #include "core/simulation/log_lines.h"
 #include "util/text.h"
+#include "util/visible_text.h"
 
 namespace tyg {
 namespace {
@@ -113,7 +114,7 @@ class LogReader {
 
   void keep(std::string_view key, std::string_view value) {
     if (key == "version") version_ = version(value);
-    if (key == "scene") log_.scene = lines_.name(key, value);
+    if (key == "scene") log_.scene = oneLine(lines_.name(key, value));
     if (key == "columns") log_.columns = lines_.whole(key, value, 1, kLargestCount);
     if (key == "rows") log_.rows = lines_.whole(key, value, 1, kLargestCount);
     if (key == "integrator") log_.integrator = lines_.name(key, value);
@@ -165,7 +166,7 @@ std::string formatEventLog(const EventLog& log) {
   std::string text = fmt::format(
       "# version = 2\n# scene = {}\n# columns = {}\n# rows = {}\n# integrator = {}\n# dt = {}\n# precision = {}\n"
       "# ticks = {}\n# hash = {}\n",
-      log.scene, log.columns, log.rows, log.integrator, log.dt, nameOf(log.precision), log.ticks, log.hash);
+      oneLine(log.scene), log.columns, log.rows, log.integrator, log.dt, nameOf(log.precision), log.ticks, log.hash);
   for (std::string_view rest = log.sceneText; !rest.empty();) {
     const std::string_view line = LogLines::cut(rest, '\n');
     text.append(kSceneMark).append(line.empty() ? "" : " ").append(line).append("\n");

@@ -2,15 +2,28 @@
 #include "study/charts/chart_script.h"
 
 #include "study/charts/gnuplot.h"
+#include "util/visible_text.h"
 
 namespace tyg {
+
+namespace {
+
+/// What a label shows: one line in which nothing is active. gnuplot leaves a mark in SVG that XML forbids in texts.
+std::string shownText(const std::string& words) {
+  constexpr std::string_view kForbidden = "]]>";
+  std::string shown = oneLine(words);
+  for (std::size_t at = 0; (at = shown.find(kForbidden, at)) != std::string::npos;) shown.insert(at + 2, " ");
+  return shown;
+}
+
+}  // namespace
 
 void ChartScript::namePictures(std::string_view name) {
   for (const char* kind : {"svg", "png"}) add("if (!exists('{0}')) {0} = '{1}.{0}'\n", kind, name);
 }
 
 void ChartScript::beginPictures() {
-  add("do for [kind in 'svg png'] {\n");
+  add("set encoding utf8\ndo for [kind in 'svg png'] {\n");
   add("  if (kind eq 'svg') {{ set terminal svg size {0:.9g},{1:.9g} dynamic enhanced background '#ffffff' "
       "font 'DejaVu Sans,{2}' }} else {{ set terminal pngcairo size {0:.9g},{1:.9g} enhanced background '#ffffff' "
       "font 'DejaVu Sans,17' }}\n",
@@ -40,7 +53,8 @@ void ChartScript::label(const std::string& words, const Pixel& at, const TextSty
   const char* side = style.side == Side::Left ? "left" : style.side == Side::Right ? "right" : "center";
   add("  set label {} at {}{} {} font sprintf(',%g', (kind eq 'svg' ? {} : 17) * {:g}) textcolor rgb '{}' noenhanced "
       "front\n",
-      gnuplotQuoted(words), screen(at), style.upward ? " rotate by 90" : "", side, letters_, style.scale, style.colour);
+      gnuplotQuoted(shownText(words)), screen(at), style.upward ? " rotate by 90" : "", side, letters_, style.scale,
+      style.colour);
 }
 
 void ChartScript::point(const Pixel& at, int type, double size, const std::string& colour) {

@@ -47,6 +47,7 @@ class ChartScript {
     Side side = Side::Left;
     bool upward = false;  ///< turned, to be read from below
   };
+  /// `words` may be anybody's: nothing in them is read by gnuplot.
   void label(const std::string& words, const Pixel& at, const TextStyle& style);
   /// A point of one of gnuplot's types.
   void point(const Pixel& at, int type, double size, const std::string& colour);

@@ -14,12 +14,14 @@ struct GnuplotOutcome {
   std::string message;  ///< what gnuplot said, or why it could not be started
 };
 
-/// Runs `gnuplot -e DEFINITIONS SCRIPT` in `folder` and waits for its end, or ends it at Ctrl-C. `script` is a file in
+/// Runs `gnuplot -d -e DEFINITIONS SCRIPT` in `folder` and waits for its end, or ends it at Ctrl-C and
+/// after five minutes. `script` is a file in
 /// that folder, `definitions` are gnuplot assignments such as png='a.png'.
 GnuplotOutcome runGnuplot(const std::filesystem::path& folder, const std::string& script,
                           const std::vector<std::string>& definitions);
 
-/// A text as a gnuplot string literal: single quotes, those inside doubled.
+/// Any bytes as a gnuplot string literal of those bytes: double quotes, with all that gnuplot could read otherwise
+/// (line breaks, quotes, backquotes, signs of comments and macros) as octal numbers.
 std::string gnuplotQuoted(const std::string& text);
 
 /// A colour for the k-th of several things, from the palette of Okabe and Ito (2008), which colour-blind people can

@@ -212,8 +212,7 @@ std::string stabilityScript(const StabilityStudy& study) {
   const Layout layout = layoutOf(study);
   constexpr int kLetters = 23, kDigits = 8;
   ChartScript script(kWidth, layout.height, kLetters, kDigits);
-  script.add("# Step limits of {}. Draws svg and png, which are file names: by hand\n#   gnuplot stability.gp\n",
-             scene.name);
+  script.add("# Draws stability.svg and stability.png:  gnuplot stability.gp\n");
   script.namePictures("stability");
   addLimitData(layout, script);
   const Roots roots = sceneRoots(scene);

@@ -7,6 +7,7 @@
 
 #include "study/limits/stability_study.h"
 #include "util/csv.h"
+#include "util/visible_text.h"
 #include "util/wrapped.h"
 
 namespace tyg {
@@ -109,8 +110,8 @@ std::string stabilityCsv(const StabilityStudy& study) {
 }
 
 std::string stabilityTable(const StabilityStudy& study) {
-  std::string table = fmt::format("Largest stable steps of {}, {} x {} particles, in ms\n\n", study.scene.title,
-                                  study.scene.columns, study.scene.rows);
+  std::string table = fmt::format("Largest stable steps of {}, {} x {} particles, in ms\n\n",
+                                  oneLine(study.scene.title), study.scene.columns, study.scene.rows);
   table += "                                                    measured\n";
   table += "method            damping predicted certified   at rest in motion   first to fail, set by\n";
   for (const StabilityCase& entry : study.cases) table += tableLine(study, entry);

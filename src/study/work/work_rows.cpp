@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "util/csv.h"
 
@@ -47,6 +48,21 @@ auto valueIn(const Line& line, std::size_t k, const Values& all, std::string_vie
   return *found;
 }
 
+/// What a run that held cannot have: later these numbers are divided by, and drawn.
+void checkNumbers(const Line& line, const WorkRow& row) {
+  const auto check = [&](std::size_t k, bool good, std::string_view allowed) {
+    if (!good) refuse(line, "'" + line.fields[k] + "'", allowed);
+  };
+  const auto isFinite = [](double number) { return std::isfinite(number) && number >= 0; };
+  check(5, isFinite(row.dt) && row.dt > 0, "a finite step above 0");
+  check(6, isFinite(row.tolerance), "a finite tolerance of at least 0");
+  check(7, row.steps > 0, "a number of steps above 0");
+  check(8, row.forceEvaluations >= 0, "a number of force evaluations of at least 0");
+  check(9, isFinite(row.seconds), "finite seconds of at least 0");
+  check(10, isFinite(row.rmsError), "a finite error of at least 0");
+  check(11, isFinite(row.maxError), "a finite error of at least 0");
+}
+
 WorkRow rowIn(const Line& line) {
   if (line.fields.size() != kFields) {
     refuse(line, std::to_string(line.fields.size()) + " fields",
@@ -69,6 +85,7 @@ WorkRow rowIn(const Line& line) {
   row.floor = numberIn<double>(line, 13);
   row.horizon = numberIn<double>(line, 14);
   row.status = valueIn(line, 15, kStatuses, "ok, unstable, not-finite or too-slow");
+  if (row.status == RowStatus::Ok) checkNumbers(line, row);
   return row;
 }
 
