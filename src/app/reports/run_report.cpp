@@ -91,7 +91,7 @@ std::string toleranceAdvice(const Simulation& simulation, double limit) {
   if (!(limit > 0)) return again;
   return fmt::format(
       "Steps of {:.4g} s would hold at rest, but a tolerance of {:.2g} m is too large to keep to them; {}. {}", limit,
-      scene.tolerance, firstToFail(scene, stepLimit(scene, simulation.method(), true)), again);
+      scene.tolerance, firstToFail(scene, stepLimit(scene, simulation.method())), again);
 }
 
 /// Where an adaptive method's steps left the numbers whole, they became too short.
@@ -241,7 +241,7 @@ std::string failureAdvice(const FinishedRun& run) {
     return what + fmt::format("No limit is predicted for it. Try --dt {:.2g}.", roundedDown(step / 2));
   }
   if (roundingDecides(scene, step, limit)) return what + roundingAdvice(limit);
-  const StepLimit said = stepLimit(scene, method, true);
+  const StepLimit said = stepLimit(scene, method);
   return what +
          (limit >= step ? deformedAdvice(limit, said.certified, step) : limitAdvice(simulation, said, limit, step));
 }
