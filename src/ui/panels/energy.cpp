@@ -116,7 +116,7 @@ class EnergyPanel final : public Panel {
     const std::optional<PowerFlow> known = flow(scope);
     const PowerFlow flow = known.value_or(PowerFlow{});
     most_ = std::max({std::abs(flow.gravity), std::abs(flow.pushes), std::abs(flow.springs), std::abs(flow.dampers),
-                      0.98 * most_, 1e-9});
+                      0.98 * most_, std::numeric_limits<double>::min()});
     const float half = 2.6F * scope.size;
     const ImVec2 masses{origin.x + width / 2, origin.y + height / 2};
     const auto at = [&](bool right, bool low) {
