@@ -101,6 +101,7 @@ Method xpbdMethod() {
               "each step moves every spring towards its rest length and never past it, so that nothing grows without "
               "end; but one sweep leaves the springs of large steps longer than their forces allow, and the energy "
               "alarm takes what they then store for instability",
+          .solves = true,
           .makeFloat = make<Xpbd, float>,
           .makeDouble = make<Xpbd, double>};
 }
