@@ -105,6 +105,8 @@ class Run {
       : options_(options),
         simulation_(scene, findMethod(scene.integrator), settingsOf(options)),
         progress_("tyg run " + scene.name) {
+    const Ledger start = simulation_.ledger();
+    startEnergy_ = start.kinetic + start.elastic + start.gravitational - start.work;
     simulation_.observe([this] { return progress_.show(fractionDone()); });
   }
 
@@ -131,6 +133,7 @@ class Run {
   [[nodiscard]] Simulation& simulation() { return simulation_; }
   [[nodiscard]] bool failed() const { return simulation_.status() != Status::Ok && !options_.keepGoing; }
   [[nodiscard]] double seconds() const { return seconds_; }
+  [[nodiscard]] double startEnergy() const { return startEnergy_; }
 
  private:
   static Settings settingsOf(const RunOptions& options) {
@@ -152,7 +155,7 @@ class Run {
   const RunOptions& options_;
   InterruptWatch watch_;
   Simulation simulation_;
-  double seconds_ = 0;
+  double seconds_ = 0, startEnergy_ = 0;
   std::int64_t replayedTicks_ = 0;  // 0: the scene's duration is what there is to do
   Progress progress_;
 };
@@ -160,8 +163,13 @@ class Run {
 /// Says how the run ended, on standard output for the result and standard error for what went wrong.
 int report(Run& run, const RunOptions& options, const EventLog* log) {
   Simulation& simulation = run.simulation();
-  const FinishedRun finished{simulation, simulation.ledger(), options.ledger, run.seconds(),
-                             restLatticeLimit(simulation.scene(), simulation.method())};
+  const FinishedRun finished{simulation,
+                             simulation.ledger(),
+                             options.ledger,
+                             run.seconds(),
+                             restLatticeLimit(simulation.scene(), simulation.method()),
+                             run.startEnergy(),
+                             log != nullptr};
   std::cout << (options.json ? runJson(finished) + "\n" : runSummary(finished)) << std::flush;
   if (run.failed()) {
     std::cerr << "tyg run: " << failureAdvice(finished) << std::endl;
