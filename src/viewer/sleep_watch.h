@@ -14,7 +14,7 @@ namespace tyg {
 /// relative to the cloth's size and to its own times.
 class SleepWatch {
  public:
-  static constexpr double kUnseen = 1e-4;  ///< of the sheet's size: a motion that nobody sees
+  static constexpr double kUnseen = 1e-3;  ///< of the sheet's size, about a pixel: a motion that nobody sees
 
   /// After ticks that end with this kinetic energy, J.
   void follow(const Simulation& simulation, double kinetic);
