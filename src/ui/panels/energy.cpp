@@ -104,7 +104,7 @@ class EnergyPanel final : public Panel {
       ImGui::PopStyleColor();
     }
     ImGui::TableNextColumn();
-    if (counted(scope)) ImGui::Text("drift %.2g %%", 100 * ledger_.drift);
+    if (counted(scope) && ledger_.scale > 0) ImGui::Text("drift %.2g %%", 100 * ledger_.drift);
     ImGui::EndTable();
   }
 
