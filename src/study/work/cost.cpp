@@ -101,7 +101,7 @@ std::int64_t workOf(const Method& method, const SampledMotion& run) {
 }
 
 double countedCost(const Scene& scene) {
-  constexpr double kParticle = 2, kDamper = 0.5;
+  constexpr double kParticle = 2, kDamper = 0.5, kFloat = 0.6;
   const Sheet sheet = makeSheet(scene);
   double springs = (kParticle + (particleDamping(scene) > 0 ? kDamper : 0)) * sheet.count();
   for (const Family family : kFamilies) {
@@ -109,7 +109,7 @@ double countedCost(const Scene& scene) {
     const double each = law.present() ? 1 + (law.kd > 0 ? kDamper : 0) : 0;
     springs += each * static_cast<double>(springCount(sheet, family));
   }
-  return springs * (scene.precision == Precision::Float ? 0.5 : 1);
+  return springs * (scene.precision == Precision::Float ? kFloat : 1);
 }
 
 CostMeter::CostMeter(Scene yardstick, int threads, Clock clock)
