@@ -126,7 +126,7 @@ std::array<std::complex<double>, 4> Lattice::rootsInPlane(double qx, double qy) 
       -K.xx / w, -K.xy / w, -C.xx, -C.xy,  //
       -K.xy / w, -K.yy / w, -C.xy, -C.yy;
   const Eigen::EigenSolver<Eigen::Matrix4d> solver(motion, false);
-  const Eigen::Vector4cd roots = solver.eigenvalues();
+  const Eigen::Vector4cd& roots = solver.eigenvalues();
   return {roots[0], roots[1], roots[2], roots[3]};
 }
 

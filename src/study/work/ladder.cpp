@@ -56,6 +56,7 @@ double powerOfTen(int k) { return std::strtod(fmt::format("1e{}", k).c_str(), nu
 std::vector<Rung> toleranceLadder(const Scene& scene) {
   const int coarsest = static_cast<int>(std::floor(std::log10(0.02 * makeSheet(scene).size())));
   std::vector<Rung> rungs;
+  rungs.reserve(kTolerances);
   for (int k = 0; k < kTolerances; ++k) rungs.push_back({scene.dt, powerOfTen(coarsest - k)});
   return rungs;
 }
