@@ -24,10 +24,11 @@ void main() {
   vec3 direction = normalize(sight);
   vec3 colour = mix(ground, sky, smoothstep(-0.25, 0.12, direction.y));
   float distanceDown = height - eye.y;
-  float t = direction.y * distanceDown > 0.0 ? distanceDown / direction.y : 1e9;
+  bool meets = direction.y * distanceDown > 0.0;
+  float t = meets ? distanceDown / direction.y : 1e4 * cell;
   vec2 point = eye.xz + min(t, 1e4 * cell) * direction.xz;
-  vec2 pixel = max(fwidth(point), vec2(1e-9));
+  vec2 pixel = max(fwidth(point), vec2(1e-9 * cell));
   float near = 1 - smoothstep(0.15, 1.0, distance(point, middle) / extent);
   float cover = max(0.45 * gridCover(point, pixel, cell), gridCover(point, pixel, 5 * cell));
-  painted = vec4(mix(colour, grid, t < 1e9 ? near * cover : 0.0), 1);
+  painted = vec4(mix(colour, grid, meets ? near * cover : 0.0), 1);
 }

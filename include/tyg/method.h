@@ -44,6 +44,7 @@ struct Method {
   /// What people have to know about a limit besides its numbers, a sentence that begins with the method's name; empty
   /// where there is nothing to say. Null where there never is.
   std::string (*noteOnLimit)(const LimitFinding& finding) = nullptr;
+  bool solves = false;    ///< does a step cost much besides its force evaluations, as solves and sweeps do?
   bool advisable = true;  ///< may advice and diets recommend it?
   std::unique_ptr<Integrator<float>> (*makeFloat)(const Scene& scene, const Sheet& sheet);
   std::unique_ptr<Integrator<double>> (*makeDouble)(const Scene& scene, const Sheet& sheet);

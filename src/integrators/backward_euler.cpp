@@ -247,6 +247,7 @@ Method backwardEulerMethod() {
           .whyNoLimit =
               "each step solves for the new velocity with a stiffness that is never negative, not even "
               "that of a compressed spring, so that every mode shrinks at every step",
+          .solves = true,
           .makeFloat = make<BackwardEuler, float>,
           .makeDouble = make<BackwardEuler, double>};
 }

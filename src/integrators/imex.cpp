@@ -167,6 +167,7 @@ Method imexMethod() {
           .order = 2,
           .evaluationsPerStep = 1,
           .stableStep = stableStep,
+          .solves = true,
           .makeFloat = make<Imex, float>,
           .makeDouble = make<Imex, double>};
 }

@@ -136,7 +136,8 @@ double stableStepOfScene(const Scene& scene) {
   };
   if (std::ranges::any_of(modes, undamped)) return 0;
   double inside = 1e-6 / fastest;
-  while (inside < 1e3 && holds(2 * inside)) inside *= 2;
+  constexpr double kFarBeyondTheStages = 1e9;  // of the fastest wave's time
+  while (inside * fastest < kFarBeyondTheStages && holds(2 * inside)) inside *= 2;
   double outside = 2 * inside;
   for (int k = 0; k < 13; ++k) {  // to a ten-thousandth
     const double middle = (inside + outside) / 2;

@@ -6,7 +6,12 @@
 
 namespace tyg {
 
-float Box::size() const { return std::max(glm::length(high - low), 1e-3F); }
+float Box::size() const {
+  constexpr float kRounding = 1e-6F, kOfAPoint = 1e-3F;  // of the coordinates; m
+  const float extent = glm::length(high - low);
+  const float rounding = kRounding * std::max(glm::length(low), glm::length(high));
+  return extent > rounding ? extent : std::max(rounding, kOfAPoint);
+}
 
 std::array<glm::vec3, 8> Box::corners() const {
   std::array<glm::vec3, 8> all;

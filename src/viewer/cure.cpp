@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "study/limits/measured_limit.h"
 #include "study/limits/stability.h"
 #include "tyg/methods.h"
 
@@ -45,6 +46,22 @@ std::string waysOut(const Simulation& simulation, const Cure& cure) {
   return chooses(simulation) ? "; take a smaller tolerance." : ".";
 }
 
+/// s: half of the step that broke, half of that, and so on, until the scene's own motion holds with it. A trial takes a
+/// tenth of a second at most; where that is not enough to tell, half the step is the next best guess.
+double smallerStep(const Simulation& simulation) {
+  constexpr int kHalvings = 6;
+  constexpr double kShortTrial = 3e6, kSolve = 10;  // particles times force evaluations
+  const Method& method = simulation.method();
+  MeasurePlan plan;
+  plan.mostWork = method.solves ? kShortTrial / kSolve : kShortTrial;
+  Scene scene = simulation.scene();
+  for (int k = 1; k <= kHalvings; ++k) {
+    scene.dt = roundedDown(std::ldexp(simulation.dt(), -k));
+    if (survives(scene, method, plan).value_or(true)) return scene.dt;
+  }
+  return roundedDown(simulation.dt() / 2);
+}
+
 }  // namespace
 
 double roundedDown(double step) {
@@ -70,8 +87,8 @@ Cure findCure(const Simulation& simulation, double limit) {
   const double share = rest > step && !chooses(simulation) ? std::min(limit, step) / rest : 1;
   cure.method = methodThatHolds(simulation.scene(), simulation.method(), step, share);
   if (chooses(simulation) || limit == 0) return cure;
-  // A limit that was kept and broke all the same says too much: half of the step that broke is the next best guess.
-  cure.step = limit <= step ? safeStep(limit) : roundedDown(step / 2);
+  // A limit that was kept and broke all the same says too much.
+  cure.step = limit <= step ? safeStep(limit) : smallerStep(simulation);
   return cure;
 }
 

@@ -16,8 +16,8 @@ const Method* methodThatHolds(const Scene& scene, const Method& failed, double s
 
 /// The ways out for the present method and step.
 struct Cure {
-  /// s, below the present one: 0.9 of the limit, or half the step where that was below its limit; 0: no step is known
-  /// to hold.
+  /// s, below the present one: 0.9 of the limit, or where the step was below its limit a half of it, a quarter and so
+  /// on that the scene's own motion was seen to survive; 0: no step is known to hold.
   double step = 0;
   const Method* method = nullptr;  ///< holds at the present step; null: none does
 };

@@ -13,7 +13,7 @@
 namespace tyg {
 namespace {
 
-/// Steps beyond these are of no use in any scene, s.
+/// Steps beyond these shares of its duration are of no use in any scene.
 constexpr double kShortestStep = 1e-7, kLongestStep = 1;
 /// By which a key changes the step.
 constexpr double kStepFactor = 1.05;
@@ -61,7 +61,7 @@ void SceneControl::chooseMethod(std::size_t slot) {
 
 void SceneControl::useStep(double dt) {
   if (run_.state() == RunState::Frozen || run_.seeking()) return;
-  run_.intervene().useStep(std::clamp(dt, kShortestStep, kLongestStep));
+  run_.intervene().useStep(std::clamp(dt, kShortestStep * scene_.duration, kLongestStep * scene_.duration));
   followSimulation();
 }
 

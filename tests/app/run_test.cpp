@@ -88,7 +88,7 @@ TEST(Run, AnUnlimitedSceneHasNoStableStep) {
 
 TEST(Run, EveryOverrideReachesTheSimulation) {
   const std::string report =
-      json("curtain --integrator leapfrog --dt 0.001 --duration 0.05 --precision float --threads 3 --sheet 12x9");
+      json("curtain --integrator leapfrog --dt 0.001 --duration 0.05 --precision float --threads 3 --sheet 12x12");
   EXPECT_EQ(jsonValue(report, "integrator"), "\"leapfrog\"");
   EXPECT_EQ(jsonValue(report, "dt_asked"), "0.001");
   EXPECT_EQ(jsonValue(report, "steps"), "50");
@@ -96,7 +96,7 @@ TEST(Run, EveryOverrideReachesTheSimulation) {
   EXPECT_EQ(jsonValue(report, "precision"), "\"float\"");
   EXPECT_EQ(jsonValue(report, "threads"), "3");
   EXPECT_EQ(jsonValue(report, "columns"), "12");
-  EXPECT_EQ(jsonValue(report, "rows"), "9");
+  EXPECT_EQ(jsonValue(report, "rows"), "12");
 }
 
 TEST(Run, ATighterToleranceMakesAnAdaptiveMethodTakeMoreSteps) {
@@ -144,6 +144,7 @@ TEST(Run, ThatRoundingSpoilsIsAdvisedALongerStepOrDouble) {
   const Outcome outcome = tyg("run spring --precision float --dt 1e-6 --duration 0.05");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_TRUE(holds(outcome.err, "rounding of float. Try --precision double, or --dt 0.0")) << outcome.err;
+  EXPECT_TRUE(holds(outcome.err, "each was tried and holds.")) << outcome.err;
 }
 
 TEST(Run, IsHaltedWhereTheStepsOfAToleranceWouldNeverEnd) {
@@ -152,7 +153,11 @@ TEST(Run, IsHaltedWhereTheStepsOfAToleranceWouldNeverEnd) {
     if (*more == 0) {
       EXPECT_EQ(outcome.code, 1);
       EXPECT_TRUE(holds(outcome.err, "bs32 was halted at t = ")) << outcome.err;
-      EXPECT_TRUE(holds(outcome.err, "Try a larger --tolerance.")) << outcome.err;
+      std::smatch advice;
+      ASSERT_TRUE(std::regex_search(outcome.err, advice, std::regex("Try (--tolerance [0-9.e-]+[0-9])")))
+          << outcome.err;
+      EXPECT_TRUE(holds(outcome.err, "which was tried and holds.")) << outcome.err;
+      EXPECT_EQ(tyg("run curtain --integrator bs32 " + advice[1].str()).code, 0) << advice[1];
     } else {
       EXPECT_EQ(jsonValue(outcome.out, "status"), "\"not-finite\"");
     }
@@ -176,6 +181,79 @@ TEST(Run, TheAdvisedStepHolds) {
   std::smatch advice;
   ASSERT_TRUE(std::regex_search(failed.err, advice, std::regex("Try (--dt [0-9.e-]+[0-9])"))) << failed.err;
   EXPECT_EQ(tyg("run curtain --integrator leapfrog " + advice[1].str()).code, 0);
+}
+
+/// Every way out that the sentence names ends well, whether the failure has to do with a limit or not.
+TEST(Run, EveryAdvisedWayOutHolds) {
+  for (const char* run : {"run chain --integrator xpbd --dt 0.01", "run curtain --integrator xpbd --dt 0.03",
+                          "run curtain --integrator leapfrog --dt 0.004", "run fail-stretched", "run fail-wet",
+                          "run fail-explicit-euler", "run spring --precision float --dt 1e-6 --duration 0.05"}) {
+    const Outcome failed = tyg(run);
+    ASSERT_EQ(failed.code, 1) << run;
+    std::string words = failed.err.substr(failed.err.find("Try ") + 4);
+    const std::regex way("--(dt|integrator|precision) [a-z0-9.-]+[a-z0-9]");
+    int ways = 0;
+    for (std::smatch found; std::regex_search(words, found, way); words = found.suffix()) {
+      const std::regex before("--" + found[1].str() + " [^ ]+");  // an option is given once
+      const std::string again = std::regex_replace(std::string(run), before, "") + " " + found.str();
+      EXPECT_EQ(tyg(again).code, 0) << again;
+      ++ways;
+    }
+    EXPECT_GT(ways, 0) << failed.err;
+    EXPECT_TRUE(holds(failed.err, "tried and holds.")) << failed.err;
+  }
+}
+
+const char* const kTwoParticles =
+    "title = \"Two\"\n[sheet]\ncolumns = 2\nrows = 1\nspacing = 1\nparticle_mass = 0.1\npins = [\"top-left\"]\n";
+
+TEST(Run, TellsWhatTheMethodLostFromWhatDampersTook) {
+  const Folder folder;
+  const std::string run = "\n[run]\nduration = 2\nintegrator = \"backward-euler\"\ndt = 0.0166\n";
+  const std::string undamped = std::string(kTwoParticles) + "[springs]\nstructural = { ks = 10000 }" + run;
+  const std::string scene = folder.write("pendulum.toml", undamped).string();
+  for (const char* ledger : {"", " --ledger"}) {
+    const std::string report = tyg("run " + scene + ledger).out;
+    EXPECT_TRUE(holds(report, "the method itself lost 0.8")) << report;
+    const std::string better = tyg("run " + scene + " --integrator rk4 --dt 0.001" + ledger).out;
+    EXPECT_FALSE(holds(better, "the method itself lost 0.8")) << better;
+  }
+}
+
+TEST(Run, ADriftWithoutAnEnergyIsNoNumber) {
+  const Folder folder;
+  const std::string text = std::string(kTwoParticles) +
+                           "[world]\ngravity = [0, 0, 0]\n[run]\nduration = 1\nintegrator = \"rk4\"\ndt = 0.01\n";
+  const std::string scene = folder.write("still.toml", text).string();
+  EXPECT_TRUE(holds(tyg("run " + scene + " --ledger").out, "no energy is there to compare a drift with"));
+  EXPECT_EQ(jsonValue(json(scene + " --ledger"), "ledger_drift"), "null");
+}
+
+TEST(Run, OfACellTooLargeForTheNumbersSaysThatTheStartIsNotFinite) {
+  const Folder folder;
+  std::string text = std::string(kTwoParticles) + "[run]\nduration = 1\nintegrator = \"rk4\"\ndt = 0.01\n";
+  text.replace(text.find("spacing = 1"), 11, "spacing = 1e300");
+  const Outcome outcome = tyg("run " + folder.write("vast.toml", text).string() + " --precision float");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_TRUE(holds(outcome.err, "not finite at the start")) << outcome.err;
+  EXPECT_FALSE(holds(outcome.err, "nan")) << outcome.err;
+}
+
+TEST(Run, RemarksThatStepsMoveTheClothByRoundingAlone) {
+  const std::string run = "run curtain --sheet 4x4 --integrator symplectic-euler --duration 0.01 --precision ";
+  EXPECT_TRUE(holds(tyg(run + "float --dt 1e-6").out, "rounding of float"));
+  EXPECT_FALSE(holds(tyg(run + "double --dt 1e-6").out, "rounding of"));
+  EXPECT_FALSE(holds(tyg(run + "float --dt 1e-3").out, "rounding of"));
+}
+
+TEST(Run, KeepsBothSidesOfASheetOrRefusesWithTheNearestGrids) {
+  const Outcome refused = tyg("run hammock --sheet 24x64");
+  EXPECT_EQ(refused.code, 2);
+  for (const char* grid : {"24x64", "24x16", "98x64"}) EXPECT_TRUE(holds(refused.err, grid)) << refused.err;
+  for (const char* fits : {"12x8", "47x31", "24x16"}) {
+    EXPECT_EQ(tyg(std::string("run hammock --duration 0.01 --sheet ") + fits).code, 0) << fits;
+  }
+  EXPECT_EQ(tyg("run chain --duration 0.01 --sheet 1x39").code, 0);
 }
 
 TEST(Run, TheAdvisedToleranceHolds) {

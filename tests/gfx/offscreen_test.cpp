@@ -41,6 +41,20 @@ std::vector<float> waveOf(const Sheet& sheet) {
   return xyz;
 }
 
+/// The sheet and its wave in a unit of length of 1/unit metres.
+Picture drawnInUnits(OffscreenKind kind, float unit) {
+  const auto context = makeOffscreen(kind, kWidth, kHeight);
+  Sheet sheet = hangingSheet();
+  std::vector<float> xyz = waveOf(sheet);
+  for (float& coordinate : xyz) coordinate *= unit;
+  sheet.spacing *= unit;
+  SheetRenderer renderer(sheet);
+  Camera camera;
+  camera.frame(boxAround(xyz), float(kWidth) / kHeight);
+  renderer.draw(xyz, camera, {kWidth, kHeight}, {});
+  return context->readPixels();
+}
+
 Picture drawn(OffscreenKind kind, const DrawOptions& options, const std::optional<ShownPush>& push = std::nullopt) {
   const auto context = makeOffscreen(kind, kWidth, kHeight);
   const Sheet sheet = hangingSheet();
@@ -105,6 +119,14 @@ TEST_P(OffscreenPicture, LooksLikeTheStoredOnes) {
     if (std::getenv("TYG_STORE_PICTURES") != nullptr) writePng(picture, folder / file);
     SCOPED_TRACE(file);
     expectAlike(picture, readPng(folder / file));
+  }
+}
+
+TEST_P(OffscreenPicture, IsTheSameForAClothOfMicrometresAndOneOfMegametres) {
+  const Picture usual = drawnInUnits(GetParam(), 1);
+  for (const float unit : {1e-6F, 1e6F}) {
+    SCOPED_TRACE(unit);
+    expectAlike(drawnInUnits(GetParam(), unit), usual);
   }
 }
 

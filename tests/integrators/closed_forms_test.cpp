@@ -39,6 +39,32 @@ TEST(FreeFall, OfEveryMethodFollowsItsRecurrence) {
   }
 }
 
+/// Ten thousand short steps: what a method takes from rounded positions instead of from forces shows here.
+TEST(FreeFall, InFloatWithShortStepsHasItsSpeed) {
+  constexpr double kShort = 1e-4, kFloat = 2e-3;  // relative: each step rounds the speed by half an eps
+  constexpr int kSteps = 10000;
+  for (const Method& method : methods()) {
+    Scene scene = emptyWorld(2, 1);  // with a spring that nothing stretches
+    scene.gravity = {0, kGravity, 0};
+    scene.structural = {1200, 0.1};
+    Bench<float> bench(scene);
+    bench.advance(method, kShort * kSteps, kSteps);
+    EXPECT_NEAR(bench.points().v[1].y, kGravity, kFloat * -kGravity) << method.name;
+    EXPECT_NEAR(bench.points().x[1].y, kGravity / 2, 2 * kFloat * -kGravity) << method.name;
+  }
+}
+
+TEST(FreeFall, WithDragEndsAtTheSpeedWhereDragCarriesTheWeight) {
+  constexpr double kStep = 0.01, kDrag = 2;
+  for (const Method& method : methods()) {
+    Scene scene = freeFall();
+    scene.drag = kDrag;
+    Bench<double> bench(scene);
+    bench.advance(method, 30, int(30 / kStep));
+    EXPECT_NEAR(bench.points().v[0].y, kGravity / kDrag, 1e-9) << method.name;
+  }
+}
+
 // ---- one spring: x'' = -d x' - w2 x ------------------------------------------------------------------------------
 
 constexpr double kStiffness = 25, kDamping = 1.5;  // of a particle of 1 kg: w2 and d
@@ -94,6 +120,11 @@ Motion schemeStep(const Method& method, Motion at, double h, double d) {
     const double v = (at.v - h * kStiffness * at.x) / (1 + h * d + h * h * kStiffness);
     return {at.x + h * v, v};
   }
+  if (method.name == "xpbd") {
+    const double v = at.v / (1 + h * d), x = at.x + h * v;
+    const double correction = -x * (h * h * kStiffness) / (1 + h * h * kStiffness);
+    return {x + correction, v + correction / h};
+  }
   const double v = at.v + h * a(at.x, at.v);
   return {at.x + h * v, v};
 }
@@ -101,7 +132,8 @@ Motion schemeStep(const Method& method, Motion at, double h, double d) {
 TEST(OneSpring, OfLowOrderMethodsFollowsTheirRecurrence) {
   constexpr double kStep = 0.01;
   constexpr int kSteps = 200;
-  for (const std::string_view name : {"explicit-euler", "symplectic-euler", "report-rk4", "imex", "backward-euler"}) {
+  for (const std::string_view name :
+       {"explicit-euler", "symplectic-euler", "report-rk4", "imex", "backward-euler", "xpbd"}) {
     const Method& method = findMethod(name);
     Motion expected{kStart, 0};
     for (int n = 0; n < kSteps; ++n) expected = schemeStep(method, expected, kStep, kDamping);
@@ -166,6 +198,21 @@ TEST(OneSpring, BetweenTwoFreeParticlesSwingsWithTheReducedMass) {
   const Points at = bench.points();
   EXPECT_NEAR(at.x[1].x - at.x[0].x, 1 - kStart, 1e-10);  // rk4 at a thousand steps a half period
   EXPECT_NEAR((at.x[0].x + at.x[1].x) / 2, middle, kRounding);
+}
+
+TEST(OneSpring, CarriesTheWholeWeightHoweverStronglyItIsDamped) {
+  constexpr double kMass = 0.1, kWeak = 10, kSag = kMass * 9.81 / kWeak, kSettled = 1e-6;  // kg, N/m, m, m
+  for (const double kd : {0.05, 0.5}) {
+    for (const double h : {0.001, 0.02}) {
+      for (const Method& method : methods()) {
+        const bool holds = method.stableStep == nullptr || method.stableStep(kWeak / kMass, kd / kMass) > h;
+        if (!holds || method.stableStepOfScene != nullptr) continue;
+        Bench<double> bench(hangingChain(1, 0.5, kMass, {kWeak, kd}));
+        bench.advance(method, 100, int(100 / h));
+        EXPECT_NEAR(-0.5 - bench.points().x[1].y, kSag, kSettled) << method.name << " kd " << kd << " h " << h;
+      }
+    }
+  }
 }
 
 // ---- the stable step of the test equation ---------------------------------------------------------------------------

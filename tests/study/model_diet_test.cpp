@@ -4,11 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <thread>
 
 #include "study/diet/model_needs.h"
+#include "study/work/cost.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
+#include "util/calibration_clock.h"
 
 namespace tyg::test {
 namespace {
@@ -96,6 +100,67 @@ TEST(Diet, EveryRowTogetherIsWithinAndCheaperThanTheOneBefore) {
     before = row.seconds;
   }
   EXPECT_NEAR(found.reduced().saved, 1 - found.reduced().seconds / found.written.seconds, 1e-12);
+}
+
+/// A swinging sheet, which leapfrog keeps far better than the Euler methods at the same work.
+Scene swingingSheet() {
+  Scene scene = softSheet(Damping::Relative);
+  scene.integrator = "rk4", scene.dt = 0.004, scene.duration = 0.4;
+  return scene;
+}
+
+TEST(Diet, OfMethodsWithTheSameWorkTheMostExactIsChosenWhateverTheClockSaysOfThem) {
+  const Scene scene = swingingSheet();
+  const Reference reference = makeReference(scene, 1, [](double) { return true; });
+  DietPlan plan;
+  plan.within = 0.05 * reference.size;
+  plan.cost = [](const Scene& priced, int threads) {
+    return plainCost(priced, threads) * (priced.integrator == "symplectic-euler" ? 0.75 : 1);
+  };
+  const DietRow lean = dietOf(scene, reference, plan).reduced();
+  EXPECT_EQ(lean.scene.integrator, "leapfrog") << lean.words;
+}
+
+/// Programs that compute on every core while this lives.
+class Neighbours {
+ public:
+  Neighbours() {
+    for (unsigned k = 0; k < std::max(2U, std::thread::hardware_concurrency()); ++k) {
+      threads_.emplace_back([this] {
+        while (!done_) {
+        }
+      });
+    }
+  }
+  ~Neighbours() {
+    done_ = true;
+    for (std::thread& thread : threads_) thread.join();
+  }
+  Neighbours(const Neighbours&) = delete;
+  Neighbours& operator=(const Neighbours&) = delete;
+
+ private:
+  std::atomic<bool> done_ = false;
+  std::vector<std::thread> threads_;
+};
+
+TEST(Diet, IsTheSameBesideBusyNeighbours) {
+  const Scene scene = swingingSheet();
+  const Reference reference = makeReference(scene, 1, [](double) { return true; });
+  const auto words = [&] {
+    CostMeter meter(scene, 1, calibrationClock);
+    DietPlan plan;
+    plan.within = 0.05 * reference.size;
+    plan.threads = 1;
+    plan.cost = [&](const Scene& priced, int threads) { return meter.secondsPerUnit(priced, threads); };
+    std::string all;
+    for (const DietRow& row : dietOf(scene, reference, plan).together) all += row.words + "; ";
+    return all;
+  };
+  const std::string alone = words();
+  EXPECT_NE(alone.find("leapfrog"), std::string::npos) << alone;
+  const Neighbours neighbours;
+  EXPECT_EQ(words(), alone);
 }
 
 TEST(Diet, AZeroToleranceKeepsEverything) {

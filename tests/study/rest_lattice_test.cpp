@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <span>
 
+#include "scaled_scene.h"
 #include "study/limits/stability.h"
+#include "study/work/ladder.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
 
@@ -39,12 +42,12 @@ TEST(RestLattice, LimitsUndampedMethodsByItsFastestWave) {
   }
 }
 
-TEST(RestLattice, OfOneRowHasItsOwnSpectrum) {
+TEST(RestLattice, UnboundedOfOneRowIsAChain) {
   for (const bool upright : {false, true}) {
     Scene scene = upright ? emptyWorld(1, 20) : emptyWorld(20, 1);
     scene.structural.ks = 100;
     scene.shear.ks = 1e6;  // a single row has no shear springs
-    EXPECT_NEAR(restLatticeLimit(scene, findMethod("leapfrog")), 2 / std::sqrt(4 * 100.0), kSearch);
+    EXPECT_NEAR(unboundedLimit(scene, findMethod("leapfrog")), 2 / std::sqrt(4 * 100.0), kSearch);
   }
 }
 
@@ -72,6 +75,30 @@ TEST(RestLattice, WhoseFrequenciesOverflowLeavesNoStableStep) {
 }
 
 TEST(RestLattice, OfFreeFallSetsNoLimit) { EXPECT_TRUE(std::isnan(restLatticeLimit(freeFall(), findMethod("rk4")))); }
+
+TEST(RestLattice, SetsTheSameLimitsAndLaddersInAnyUnits) {
+  for (const char* name : {"spring", "wet"}) {
+    for (const Damping law : {Damping::Relative, Damping::Axial}) {
+      Scene scene = loadScene(name);
+      scene.damping = law;
+      scene.columns = std::min(scene.columns, 9);
+      for (const Method& method : methods()) {
+        const double expected = restLatticeLimit(scene, method);
+        const std::size_t rungs = ladderOf(scene, method).size();
+        for (const Units& units : std::span(kUnits).last(2)) {
+          if (method.name == "report-rk4") continue;  // depends on the unit of time by its formula
+          const Scene other = scaled(scene, units);
+          const double found = restLatticeLimit(other, method) / units.time;
+          EXPECT_TRUE(std::isnan(expected) ? std::isnan(found) : std::abs(found - expected) <= kSearch * expected)
+              << name << " " << method.name << " " << found << " " << expected;
+          EXPECT_NEAR(double(ladderOf(other, method).size()), double(rungs), 1) << name << " " << method.name;
+          if (!(certifiedLimit(scene, method) > 0)) continue;
+          EXPECT_NEAR(certifiedLimit(other, method) / certifiedLimit(scene, method) / units.time, 1, kSearch) << name;
+        }
+      }
+    }
+  }
+}
 
 }  // namespace
 }  // namespace tyg::test

@@ -25,7 +25,7 @@ Scene cloth(double ks, double kh, double kb, int columns = 20, int rows = 20) {
   return scene;
 }
 
-double limit(const Scene& scene, const char* method) { return restLatticeLimit(scene, findMethod(method)); }
+double limit(const Scene& scene, const char* method) { return unboundedLimit(scene, findMethod(method)); }
 
 /// Undamped leapfrog is stable up to h w = 2, so its limit tells the largest m w^2.
 double largestMassW2(const Scene& scene) {
@@ -41,7 +41,7 @@ double closedForm(double ks, double kh, double kb) {
   return std::max(first, second);
 }
 
-TEST(RestLatticeLimit, AgreesWithTheClosedFormOverRandomStiffnesses) {
+TEST(UnboundedLimit, AgreesWithTheClosedFormOverRandomStiffnesses) {
   std::mt19937 random(20170705);
   std::uniform_real_distribution<double> exponent(0, 3);
   std::bernoulli_distribution absent(0.15);
@@ -54,25 +54,25 @@ TEST(RestLatticeLimit, AgreesWithTheClosedFormOverRandomStiffnesses) {
   }
 }
 
-TEST(RestLatticeLimit, ALineOfParticlesHasTheSpectrumOfAChain) {
+TEST(UnboundedLimit, ALineOfParticlesHasTheSpectrumOfAChain) {
   for (const auto& [columns, rows] : {std::pair{1, 20}, {20, 1}}) {
     EXPECT_NEAR(largestMassW2(cloth(1000, 900, 0, columns, rows)), 4 * 1000, kClose * 4000);
   }
 }
 
-TEST(RestLatticeLimit, FamiliesThatTheSheetHasNoRoomForDoNotCount) {
+TEST(UnboundedLimit, FamiliesThatTheSheetHasNoRoomForDoNotCount) {
   EXPECT_DOUBLE_EQ(limit(cloth(1000, 0, 5000, 2, 2), "leapfrog"), limit(cloth(1000, 0, 0, 2, 2), "leapfrog"));
   EXPECT_DOUBLE_EQ(limit(cloth(1000, 5000, 0, 1, 9), "leapfrog"), limit(cloth(1000, 0, 0, 1, 9), "leapfrog"));
   EXPECT_LT(limit(cloth(1000, 0, 5000, 3, 2), "leapfrog"), limit(cloth(1000, 0, 0, 3, 2), "leapfrog"));
 }
 
-TEST(RestLatticeLimit, UndampedRungeKuttaReachesItsPlaceOnTheImaginaryAxis) {
+TEST(UnboundedLimit, UndampedRungeKuttaReachesItsPlaceOnTheImaginaryAxis) {
   const Scene scene = cloth(1200, 900, 200);
   const double w = std::sqrt(closedForm(1200, 900, 200) / scene.particleMass);
   EXPECT_NEAR(limit(scene, "rk4") * w, std::sqrt(8.0), kClose * 3);
 }
 
-TEST(RestLatticeLimit, StrongRelativeDampingLimitsRungeKuttaByItsPureDampingModes) {
+TEST(UnboundedLimit, StrongRelativeDampingLimitsRungeKuttaByItsPureDampingModes) {
   Scene scene = cloth(1, 0, 0);
   scene.structural.kd = 10;
   const double largestD = 8 * scene.structural.kd / scene.particleMass;
@@ -80,7 +80,7 @@ TEST(RestLatticeLimit, StrongRelativeDampingLimitsRungeKuttaByItsPureDampingMode
   EXPECT_NEAR(limit(scene, "rk4") * largestD, kRealAxis, 1e-4);
 }
 
-TEST(RestLatticeLimit, DampingShrinksLeapfrogsLimitByItsFormula) {
+TEST(UnboundedLimit, DampingShrinksLeapfrogsLimitByItsFormula) {
   Scene scene = cloth(1000, 0, 0, 1, 20);
   scene.structural.kd = 0.5;
   // The shortest wave is the stiffest and the most damped one: h^2 w2 + 4 h d = 4.
@@ -89,7 +89,7 @@ TEST(RestLatticeLimit, DampingShrinksLeapfrogsLimitByItsFormula) {
   EXPECT_NEAR(limit(scene, "leapfrog"), expected, kClose * expected);
 }
 
-TEST(RestLatticeLimit, AxialDampingIsNeverStrongerThanRelativeDamping) {
+TEST(UnboundedLimit, AxialDampingIsNeverStrongerThanRelativeDamping) {
   Scene scene = cloth(1200, 900, 200);
   scene.structural.kd = scene.shear.kd = scene.bend.kd = 0.3;
   const double relative = limit(scene, "leapfrog");
@@ -98,14 +98,14 @@ TEST(RestLatticeLimit, AxialDampingIsNeverStrongerThanRelativeDamping) {
   EXPECT_LT(limit(scene, "leapfrog"), limit(cloth(1200, 900, 200), "leapfrog"));
 }
 
-TEST(RestLatticeLimit, ExplicitEulerHoldsOnlyWithDamping) {
+TEST(UnboundedLimit, ExplicitEulerHoldsOnlyWithDamping) {
   Scene scene = cloth(1200, 900, 200);
   EXPECT_EQ(limit(scene, "explicit-euler"), 0);
   scene.structural.kd = 0.1;
   EXPECT_GT(limit(scene, "explicit-euler"), 0);
 }
 
-TEST(RestLatticeLimit, ThereIsNoneWhereNothingSetsOne) {
+TEST(UnboundedLimit, ThereIsNoneWhereNothingSetsOne) {
   EXPECT_TRUE(std::isnan(limit(cloth(0, 0, 0), "leapfrog")));
   EXPECT_TRUE(std::isnan(limit(cloth(1200, 900, 200, 1, 1), "rk4")));
   EXPECT_TRUE(std::isnan(limit(cloth(1200, 900, 200), "xpbd")));

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "scaled_scene.h"
+#include "study/charts/gnuplot.h"
 #include "study/charts/trajectory_chart.h"
 #include "tyg/methods.h"
 
@@ -137,6 +139,36 @@ TEST(TrajectoryPlot, TheObserverStopsEverything) {
       followParticles(square(), usualParticles(square()), {&findMethod("rk4"), &findMethod("leapfrog")}, 1, stopAtHalf);
   EXPECT_EQ(study.runs.size(), 1U);
   EXPECT_LT(study.runs[0].times.back(), 0.5);
+}
+
+/// How many panels a figure has.
+std::size_t panels(const std::string& script) {
+  std::size_t count = 0;
+  for (std::size_t at = script.find("\n  plot "); at != std::string::npos; at = script.find("\n  plot ", at + 1))
+    ++count;
+  return count;
+}
+
+TEST(TrajectoryPlot, OfRoundingNoiseIsNoPanelInAnyUnits) {
+  Scene scene = square();
+  scene.displacements.clear();
+  scene.gravity = {0, -9.81, 0};
+  scene.pins.clear();  // falls; what x does is rounding
+  for (const test::Units& units : test::kUnits) {
+    const std::string script = trajectoryScript(follow(test::scaled(scene, units), {"leapfrog", "rk4"}));
+    EXPECT_NE(script.find("x and z do not change"), std::string::npos) << script;
+    EXPECT_EQ(panels(script), 4U);  // two particles, y and the distance
+  }
+}
+
+TEST(TrajectoryPlot, OfAClothAtRestShowsThatItRests) {
+  Scene scene = square();
+  scene.displacements.clear();
+  scene.gravity = {};
+  const std::string script = trajectoryScript(follow(scene, {"rk4"}));
+  EXPECT_EQ(panels(script), 6U);
+  EXPECT_EQ(script.find("do not change"), std::string::npos);
+  EXPECT_NE(script.find("set yrange [-0.55:-0.45]"), std::string::npos) << script;
 }
 
 }  // namespace

@@ -44,5 +44,20 @@ TEST(Cure, IsAnotherMethodAloneWhereNoStepHolds) {
   EXPECT_EQ(after(scene, *cure.method, scene.dt), Status::Ok) << cure.method->name;
 }
 
+TEST(Cure, OfAMethodWithoutALimitIsAStepThatHolds) {
+  Scene scene = loadScene("chain", methodNames());
+  scene.integrator = "xpbd", scene.dt = 0.01;
+  Simulation simulation(scene, findMethod("xpbd"), {.threads = 1});
+  simulation.advanceTo(scene.duration);
+  ASSERT_EQ(simulation.status(), Status::Unstable);
+  const Cure cure = findCure(simulation, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_GT(cure.step, 0);
+  EXPECT_LT(cure.step, scene.dt / 2) << "half the step fails earlier";
+  scene.dt = cure.step;
+  Simulation cured(scene, findMethod("xpbd"), {.threads = 1});
+  cured.advanceTo(scene.duration);
+  EXPECT_EQ(cured.status(), Status::Ok);
+}
+
 }  // namespace
 }  // namespace tyg::test

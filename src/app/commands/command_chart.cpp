@@ -131,7 +131,7 @@ class Charting {
     plan.lowestError = range ? range->lowest * reference.size : 0;
     if (options_.quick) plan.fewestRepeats = 2, plan.repeatSeconds = 0.03, plan.roundsBudget = 5;
     plan.threads = threads_;
-    plan.clock = wallClock;
+    plan.clock = [threads = threads_] { return calibrationClock(threads); };
     plan.observer = progress_.part(kReferencePart, 1);
     return workPrecision(scene_, reference, plan);
   }

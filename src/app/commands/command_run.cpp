@@ -106,6 +106,8 @@ class Run {
       : options_(options),
         simulation_(scene, findMethod(scene.integrator), settingsOf(options)),
         progress_("tyg run " + scene.name) {
+    const Ledger start = simulation_.ledger();
+    startEnergy_ = start.mechanical() - start.work.sum();
     simulation_.observe([this] { return progress_.show(fractionDone()); });
   }
 
@@ -132,6 +134,7 @@ class Run {
   [[nodiscard]] Simulation& simulation() { return simulation_; }
   [[nodiscard]] bool failed() const { return simulation_.status() != Status::Ok && !options_.keepGoing; }
   [[nodiscard]] double seconds() const { return seconds_; }
+  [[nodiscard]] double startEnergy() const { return startEnergy_; }
 
  private:
   static Settings settingsOf(const RunOptions& options) {
@@ -153,7 +156,7 @@ class Run {
   const RunOptions& options_;
   InterruptWatch watch_;
   Simulation simulation_;
-  double seconds_ = 0;
+  double seconds_ = 0, startEnergy_ = 0;
   std::int64_t replayedTicks_ = 0;  // 0: the scene's duration is what there is to do
   Progress progress_;
 };
@@ -161,8 +164,13 @@ class Run {
 /// Says how the run ended, on standard output for the result and standard error for what went wrong.
 int report(Run& run, const RunOptions& options, const EventLog* log) {
   Simulation& simulation = run.simulation();
-  const FinishedRun finished{simulation, simulation.ledger(), options.ledger, run.seconds(),
-                             restLatticeLimit(simulation.scene(), simulation.method())};
+  const FinishedRun finished{simulation,
+                             simulation.ledger(),
+                             options.ledger,
+                             run.seconds(),
+                             restLatticeLimit(simulation.scene(), simulation.method()),
+                             run.startEnergy(),
+                             log != nullptr};
   std::cout << (options.json ? runJson(finished) + "\n" : runSummary(finished)) << std::flush;
   if (run.failed()) {
     std::cerr << "tyg run: " << failureAdvice(finished) << std::endl;

@@ -1,5 +1,10 @@
 // The options that every simulating command shares: which scene, and what the command line changes in it.
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -11,6 +16,39 @@
 #include "util/text.h"
 
 namespace tyg {
+namespace {
+
+/// Whether a grid has the sides of another one, to within half a cell; cells stay square.
+bool keepsSides(const Scene& scene, int columns, int rows) {
+  const double wide = scene.columns - 1, tall = scene.rows - 1;
+  const double cell = std::max(wide, tall) / std::max({columns - 1, rows - 1, 1});
+  constexpr double kHalf = 0.5 + 1e-9;
+  return std::abs((columns - 1) * cell - wide) <= kHalf * cell && std::abs((rows - 1) * cell - tall) <= kHalf * cell;
+}
+
+/// Throws InputError with the nearest grids that fit.
+void refuseOtherSides(const Scene& scene, int columns, int rows) {
+  const bool hasSides = std::max(scene.columns, scene.rows) > 1 && std::max(columns, rows) > 1;
+  if (!hasSides || keepsSides(scene, columns, rows)) return;
+  std::vector<std::string> fitting;
+  const auto offer = [&](double width, double height) {
+    const auto in = [](double count) { return count >= 1 && count <= kLargestCount; };
+    if (!in(width) || !in(height) || !keepsSides(scene, int(width), int(height))) return;
+    const std::string grid = fmt::format("{}x{}", int(width), int(height));
+    if (std::ranges::find(fitting, grid) == fitting.end()) fitting.push_back(grid);
+  };
+  const double tallness = double(scene.rows - 1) / std::max(scene.columns - 1, 1);
+  const double width = double(scene.columns - 1) / std::max(scene.rows - 1, 1);
+  offer(columns, std::round((columns - 1) * tallness) + 1);
+  offer(std::round((rows - 1) * width) + 1, rows);
+  if (fitting.empty()) fitting.push_back(fmt::format("{}x{}", scene.columns, scene.rows));
+  throw InputError(fmt::format(
+      "--sheet: found {}x{}, which is not the shape of a sheet of {}x{} particles; allowed are grids with its sides, "
+      "the nearest of which {} {}",
+      columns, rows, scene.columns, scene.rows, fitting.size() > 1 ? "are" : "is", joined(fitting)));
+}
+
+}  // namespace
 namespace {
 
 constexpr int kMostParticlesAlongASide = 4096;
@@ -66,7 +104,7 @@ void addSceneOptions(Command& command, SceneOptions& options, MethodCount count,
   };
   command
       .option("--sheet", options.sheet,
-              "The same cloth on another grid of columns x rows; its size, mass and drag stay the same [the scene's]")
+              "The same cloth on another grid of columns x rows; both sides, mass and drag stay the same [the scene's]")
       .check(sheet)
       .typeName("CxR")
       .group("Scene");
@@ -77,6 +115,7 @@ Scene chosenScene(const SceneOptions& options) { return overridden(loadScene(opt
 Scene overridden(Scene scene, const SceneOptions& options) {
   if (options.sheet) {
     const auto [columns, rows] = parsePair(*options.sheet);
+    refuseOtherSides(scene, columns, rows);
     scene = withSheet(std::move(scene), columns, rows);
   }
   const bool list = options.methods == MethodCount::Several && options.integrator &&

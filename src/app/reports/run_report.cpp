@@ -1,4 +1,4 @@
-// The advice after a failure names the smallest change that is predicted to help.
+// Summaries of runs that ended, plans of those to come.
 #include "app/reports/run_report.h"
 
 #include <algorithm>
@@ -11,11 +11,8 @@
 #include "app/reports/json.h"
 #include "core/forces/term.h"
 #include "study/diet/idle_terms.h"
-#include "study/limits/stability.h"
-#include "tyg/methods.h"
 #include "util/text.h"
 #include "util/visible_text.h"
-#include "viewer/cure.h"
 
 namespace tyg {
 namespace {
@@ -25,6 +22,9 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 std::string stableStepLine(const FinishedRun& run) {
   if (std::isnan(run.stableStep)) return "stable step   no limit";
   if (run.stableStep == 0) return "stable step   none: this method holds only where every wave is damped";
+  if (run.simulation.steps() == 0) {
+    return fmt::format("stable step   up to {:.4g} s is predicted for the sheet at rest", run.stableStep);
+  }
   const double share = run.simulation.largestStep() / run.stableStep;
   return fmt::format(
       "stable step   up to {:.4g} s is predicted for the sheet at rest; this run used {}", run.stableStep,
@@ -62,91 +62,55 @@ std::string sizeAndMethod(const Simulation& simulation) {
                      simulation.threads(), simulation.threads() == 1 ? "" : "s");
 }
 
+/// What the method itself gained or lost, J: what neither forces nor damping account for.
+std::string byMethod(const Ledger& now, double gained) {
+  if (!(now.scale > 0)) return "no energy is there to compare a drift with";
+  return fmt::format("the method itself {} {:.4g} J, a drift of {:.3g} of the run's energy scale of {:.4g} J",
+                     gained < 0 ? "lost" : "gained", std::abs(gained), gained / now.scale, now.scale);
+}
+
+/// A step moves the cloth by little more than the last place of its coordinates, and yet a run of such steps would move
+/// it far: particles then stand, or move by whole units of rounding.
+std::string roundingRemark(const FinishedRun& run) {
+  constexpr double kFewUnits = 4, kFar = 1000;
+  const Simulation& simulation = run.simulation;
+  const bool isFloat = simulation.scene().precision == Precision::Float;
+  const double unit = isFloat ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon();
+  const double rounding = unit * simulation.sheet().size();
+  const double speed =
+      std::sqrt(2 * run.ledger.kinetic / (simulation.sheet().count() * simulation.sheet().particleMass));
+  const bool stands = speed * simulation.largestStep() < kFewUnits * rounding;
+  if (!stands || !(speed * simulation.time() > kFar * rounding)) return "";
+  return fmt::format(
+      "remark        a step of {:.4g} s moves particles by no more than the rounding of {}: they stand, or move by "
+      "rounding alone. {}\n",
+      simulation.largestStep(), nameOf(simulation.scene().precision),
+      isFloat ? "Take longer steps, or --precision double." : "Take longer steps.");
+}
+
 /// Energies and stretch, where they still say something: those of a run that has blown up are digits without meaning.
 std::string energyLines(const FinishedRun& run) {
   const Ledger& now = run.ledger;
   constexpr double kMostMeaning = 9;  // of stretch: ten times its length
   const bool cloth = now.maxStretch <= kMostMeaning && std::isfinite(now.mechanical());
   if (run.simulation.status() != Status::Ok && !cloth) {
-    return "energy        without meaning: the cloth has flown apart (--json gives the numbers)\n";
+    return fmt::format("energy        without meaning: the cloth {} (--json gives the numbers)\n",
+                       run.simulation.steps() == 0 ? "is not finite at the start" : "has flown apart");
   }
   std::string text = fmt::format("energy        kinetic {:.4g} J", now.kinetic);
   for (const auto& [name, joules] : now.stored) text += fmt::format(", {} {:.4g} J", name, joules);
   for (const auto& [name, joules] : now.work) text += fmt::format(", work of {} {:.4g} J", name, joules);
   text += "\n";
-  if (run.followsLoss) {
-    text += fmt::format("ledger        dissipated {:.4g} J; drift {:.3g} of the run's energy scale of {:.4g} J\n",
-                        now.dissipated, now.drift, now.scale);
+  if (run.followsLoss)
+    text += fmt::format("ledger        damping and drag dissipated {:.4g} J; {}\n", now.dissipated,
+                        byMethod(now, now.drift * now.scale));
+  const double gained = now.mechanical() - now.work.sum() - run.startEnergy;
+  constexpr double kWorthTelling = 0.01;  // of the scale
+  if (!run.followsLoss && !isDamped(run.simulation.scene()) && std::abs(gained) > kWorthTelling * now.scale) {
+    text += fmt::format("losses        nothing here damps; {}\n", byMethod(now, gained));
   }
   return text + fmt::format("stretch       springs up to {:.3g} % longer than at rest (checked every 64 steps)\n",
                             100 * now.maxStretch);
-}
-
-std::string firstToFail(const Scene& scene, const StepLimit& limit) {
-  return "the motion that fails first: " + describe(scene, limit);
-}
-
-/// A tolerance allows waves as small as itself: one of a thousandth of the spacing is too small for any alarm.
-std::string toleranceAdvice(const Simulation& simulation, double limit) {
-  const Scene& scene = simulation.scene();
-  std::string again = fmt::format("Try --tolerance {:.2g}.", std::min(scene.tolerance / 10, 1e-3 * scene.spacing));
-  if (!(limit > 0)) return again;
-  return fmt::format(
-      "Steps of {:.4g} s would hold at rest, but a tolerance of {:.2g} m is too large to keep to them; {}. {}", limit,
-      scene.tolerance, firstToFail(scene, stepLimit(scene, simulation.method(), true)), again);
-}
-
-/// Where an adaptive method's steps left the numbers whole, they became too short.
-bool wasHalted(const FinishedRun& run) {
-  const Simulation& simulation = run.simulation;
-  return simulation.method().adaptive && simulation.scene().tolerance > 0 && simulation.status() == Status::NotFinite &&
-         std::isfinite(run.ledger.mechanical());
-}
-
-std::string haltAdvice(const Simulation& simulation) {
-  return fmt::format(
-      "{} was halted at t = {:.6g} s: the steps that keep its tolerance of {:.6g} m became so short that the run would "
-      "not end. Try a larger --tolerance{}.",
-      simulation.method().name, simulation.alarmTime(), simulation.scene().tolerance,
-      simulation.scene().precision == Precision::Float ? ", or --precision double" : "");
-}
-
-/// No deformation allows so much less than the limit at rest.
-bool roundingDecides(const Scene& scene, double step, double limit) {
-  constexpr double kFarBelow = 1e-3;
-  return scene.precision == Precision::Float && std::isfinite(limit) && step < kFarBelow * limit;
-}
-
-std::string roundingAdvice(double limit) {
-  return fmt::format(
-      "The predicted limit at rest is {:.4g} s: a step so far below it moves a particle by little more than the "
-      "rounding "
-      "of float. Try --precision double, or --dt {:.2g}.",
-      limit, roundedDown(0.1 * limit));
-}
-
-/// A step that was below the limit at rest, and failed all the same.
-std::string deformedAdvice(double limit, double certified, double step) {
-  const bool holds = certified > 0 && certified < step;
-  return fmt::format(
-      "The predicted limit of the sheet at rest, {:.4g} s, was kept, but a cloth far from rest allows less. Try --dt "
-      "{:.2g}{}.",
-      limit, roundedDown(holds ? certified : step / 2), holds ? ", which holds in any deformation" : "");
-}
-
-/// A step above the limit at rest.
-std::string limitAdvice(const Simulation& simulation, const StepLimit& said, double limit, double step) {
-  const Scene& scene = simulation.scene();
-  const Method* other = methodThatHolds(scene, simulation.method(), step);
-  const std::string change =
-      other == nullptr ? "" : fmt::format("--integrator {}, predicted to hold with this step", other->name);
-  if (limit == 0) {
-    return fmt::format(
-        "No step is predicted to be stable for it here: it holds only where damping is strong enough; {}. Try {}.",
-        firstToFail(scene, said), change.empty() ? "another method with a smaller step" : change);
-  }
-  return fmt::format("The predicted limit at rest is {:.4g} s; {}. Try --dt {:.2g}{}.", limit, firstToFail(scene, said),
-                     roundedDown(0.9 * limit), change.empty() ? "" : ", or " + change);
 }
 
 }  // namespace
@@ -173,7 +137,7 @@ std::string runJson(const FinishedRun& run) {
   json.update({
       {"work_J", run.ledger.work.sum()},
       {"dissipated_J", run.followsLoss ? run.ledger.dissipated : kUnknown},
-      {"ledger_drift", run.followsLoss ? run.ledger.drift : kUnknown},
+      {"ledger_drift", run.followsLoss && run.ledger.scale > 0 ? run.ledger.drift : kUnknown},
       {"max_stretch", run.ledger.maxStretch},
       {"stable_dt", run.stableStep},
       {"hash", hashText(simulation)},
@@ -193,8 +157,8 @@ std::string runSummary(const FinishedRun& run) {
     text += fmt::format(": {:.3g} times real time, {:.3g} ns per particle and force evaluation",
                         simulation.time() / run.seconds, 1e9 * run.seconds / evaluations / simulation.sheet().count());
   }
-  return text + fmt::format("\n{}{}\nhash          {}\nstatus        {}\n", energyLines(run), stableStepLine(run),
-                            hashText(simulation), nameOf(simulation.status()));
+  return text + fmt::format("\n{}{}\n{}hash          {}\nstatus        {}\n", energyLines(run), stableStepLine(run),
+                            roundingRemark(run), hashText(simulation), nameOf(simulation.status()));
 }
 
 std::string runPlan(const Simulation& simulation) {
@@ -227,27 +191,6 @@ std::string runPlan(const Simulation& simulation) {
   }
   for (const std::string& idle : idleTerms(scene)) text += "note: changes nothing visible: " + idle + "\n";
   return text;
-}
-
-std::string failureAdvice(const FinishedRun& run) {
-  if (wasHalted(run)) return haltAdvice(run.simulation);
-  const Simulation& simulation = run.simulation;
-  const Scene& scene = simulation.scene();
-  const Method& method = simulation.method();
-  const double step = simulation.largestStep(), limit = run.stableStep;
-  const bool finite = simulation.status() == Status::Unstable;
-  const std::string what =
-      fmt::format("{} with steps of {:.6g} s {} at t = {:.6g} s. ", method.name, step,
-                  finite ? "became unstable (the cloth gained energy by itself)" : "left the range of the numbers",
-                  simulation.alarmTime());
-  if (method.adaptive && scene.tolerance > 0) return what + toleranceAdvice(simulation, limit);
-  if (std::isnan(limit)) {
-    return what + fmt::format("No limit is predicted for it. Try --dt {:.2g}.", roundedDown(step / 2));
-  }
-  if (roundingDecides(scene, step, limit)) return what + roundingAdvice(limit);
-  const StepLimit said = stepLimit(scene, method, true);
-  return what +
-         (limit >= step ? deformedAdvice(limit, said.certified, step) : limitAdvice(simulation, said, limit, step));
 }
 
 }  // namespace tyg

@@ -2,6 +2,7 @@
 // Must not know: options, how the run was driven.
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include "tyg/simulation.h"
@@ -15,6 +16,9 @@ struct FinishedRun {
   bool followsLoss = false;  ///< was Settings::ledger on? dissipated and drift mean nothing otherwise
   double seconds = 0;        ///< of the clock, in stepping alone
   double stableStep = 0;     ///< rest-lattice limit, s; NaN where there is none
+  /// K + E + G - W at the start, J; NaN where it is not known.
+  double startEnergy = std::numeric_limits<double>::quiet_NaN();
+  bool replayed = false;  ///< did a log's events act on it, which no other run can try?
 };
 
 /// One JSON object; its keys and their order are what scripts rely on.
@@ -23,7 +27,8 @@ std::string runJson(const FinishedRun& run);
 std::string runSummary(const FinishedRun& run);
 /// Before the run: what is simulated, by which method, on how many threads, and the spans between stop times.
 std::string runPlan(const Simulation& simulation);
-/// After an alarm: method, step, time, predicted limit and what to try.
+/// After an alarm: method, step, time, predicted limit and what to try. What it advises was run on the scene to its end
+/// and held, within some seconds; what takes longer, or follows a replay, it calls predicted.
 std::string failureAdvice(const FinishedRun& run);
 
 }  // namespace tyg

@@ -1,6 +1,7 @@
 // Lattice symbols as 2x2 matrices of a wave in the plane, and what its springs do to it out of it.
 #include "core/spectrum/lattice.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -102,6 +103,38 @@ std::array<Mode, 5> Lattice::modes(double qx, double qy) const {
   const std::array<double, 2> u = pull.direction();
   const double dFast = particleDamping_ + damp.along(u), dSlow = particleDamping_ + damp.along({-u[1], u[0]});
   return {{{fast, most + air}, {slow, most + air}, {0, particleDamping_ + air}, {fast, dFast}, {slow, dSlow}}};
+}
+
+Lattice::Symbol Lattice::dampingInPlane(double qx, double qy) const {
+  Symbol damp;
+  if (law_ == Damping::Axial) {
+    damp = inPlane(damping_, qx, qy);
+  } else {
+    damp.xx = damp.yy = everyWay(damping_, qx, qy);
+  }
+  damp.xx += particleDamping_, damp.yy += particleDamping_;
+  return damp;
+}
+
+Mode Lattice::farthestInPlane(double ofK, double ofC, double qx, double qy) const {
+  const Symbol K = inPlane(stiffness_, qx, qy), C = dampingInPlane(qx, qy);
+  const Symbol sum{ofK * K.xx + ofC * C.xx, ofK * K.yy + ofC * C.yy, ofK * K.xy + ofC * C.xy};
+  const std::array<double, 2> u = sum.direction();
+  return {std::max(0.0, K.along(u)), std::max(0.0, C.along(u))};
+}
+
+/// The eigenvalues of (w x, v)' = (w v, -K x / w - C v), which has one unit with w the fastest rate.
+std::array<std::complex<double>, 4> Lattice::rootsInPlane(double qx, double qy) const {
+  const Symbol K = inPlane(stiffness_, qx, qy), C = dampingInPlane(qx, qy);
+  const double w = std::sqrt(K.eigenvalues()[0]) + C.eigenvalues()[0];
+  if (!(w > 0) || !std::isfinite(w)) return {};
+  Eigen::Matrix4d motion;
+  motion << 0, 0, w, 0, 0, 0, 0, w,        //
+      -K.xx / w, -K.xy / w, -C.xx, -C.xy,  //
+      -K.xy / w, -K.yy / w, -C.xy, -C.yy;
+  const Eigen::EigenSolver<Eigen::Matrix4d> solver(motion, false);
+  const Eigen::Vector4cd& roots = solver.eigenvalues();
+  return {roots[0], roots[1], roots[2], roots[3]};
 }
 
 }  // namespace tyg

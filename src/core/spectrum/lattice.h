@@ -58,6 +58,12 @@ class Lattice {
   [[nodiscard]] std::array<Mode, 5> modes(double qx, double qy) const;
   static constexpr std::size_t kOutOfPlane = 2;  ///< of modes()
 
+  /// Of the motions of this wave in the plane, whatever the law: the unit vector u with the largest u.(ofK K + ofC C)
+  /// u, as the mode w2 = u.Ku, d = u.Cu.
+  [[nodiscard]] Mode farthestInPlane(double ofK, double ofC, double qx, double qy) const;
+  /// The roots mu of the motions like exp(mu t) of this wave in the plane, 1/s.
+  [[nodiscard]] std::array<std::complex<double>, 4> rootsInPlane(double qx, double qy) const;
+
   /// A mode that no motion of this wave exceeds in stiffness or damping, however the sheet is deformed: a spring pulls
   /// with no more than ks in every direction (its Hessian never exceeds ks times the graph Laplacian), and either law
   /// of damping with no more than kd (docs/model.md, section 8).
@@ -73,6 +79,7 @@ class Lattice {
   struct Symbol;
   static Constants constantsOf(const Scene& scene, double SpringFamily::*constant);
   static Symbol inPlane(const Constants& k, double qx, double qy);
+  [[nodiscard]] Symbol dampingInPlane(double qx, double qy) const;
   static double everyWay(const Constants& k, double qx, double qy);
 
   /// 1/s: a cell moves with the mean of its corners, and only along its normal.

@@ -63,6 +63,18 @@ class Assembly {
   std::vector<Eigen::Triplet<double>> entries_;
 };
 
+/// Takes from `next` what lies along the columns of `basis`, twice against rounding; gives the shares of them.
+Vector orthogonalised(const Eigen::MatrixXd& basis, Eigen::Index columns, Vector& next) {
+  const auto known = basis.leftCols(columns);
+  Vector shares = Vector::Zero(columns);
+  for (int pass = 0; pass < 2; ++pass) {
+    const Vector more = known.transpose() * next;
+    next.noalias() -= known * more;
+    shares += more;
+  }
+  return shares;
+}
+
 /// The eigenvector of the largest eigenvalue of ofK K + ofC C.
 Vector topOf(const Matrix& K, const Matrix& C, const LineNormal& normal) {
   const Eigen::Index size = K.rows(), most = std::min<Eigen::Index>(size, 400);
@@ -74,7 +86,7 @@ Vector topOf(const Matrix& K, const Matrix& C, const LineNormal& normal) {
     next = normal.ofK * (K * basis.col(k)) + normal.ofC * (C * basis.col(k));
     diagonal[k] = next.dot(basis.col(k));
     const auto known = basis.leftCols(k + 1);
-    for (int pass = 0; pass < 2; ++pass) next -= known * (known.transpose() * next).eval();
+    orthogonalised(basis, k + 1, next);
     beside[k] = next.norm();
     const bool last = k + 1 == most || beside[k] <= 1e-12 * std::abs(diagonal[0]);
     if (!last && k % 10 != 9) continue;
@@ -93,6 +105,17 @@ struct RestSpectrum::Matrices {
   Matrix K, C;        // in the plane: two unknowns per free particle
   Matrix outOfPlane;  // of C: one
 };
+
+std::optional<Scene> RestSpectrum::smallSheet(const Scene& scene) {
+  if (scene.columns * scene.rows <= kMostParticles) return scene;
+  constexpr int kNarrow = 8;  // edges along it shift the limit by more than a hundredth
+  if (std::min(scene.columns, scene.rows) > kNarrow) return {};
+  Scene piece = scene;
+  piece.pins.clear();
+  int& longSide = scene.columns > scene.rows ? piece.columns : piece.rows;
+  longSide = kMostParticles / std::min(scene.columns, scene.rows);
+  return piece;
+}
 
 RestSpectrum::RestSpectrum(const Scene& scene) {
   const Sheet sheet = makeSheet(scene);
@@ -149,6 +172,34 @@ double RestSpectrum::mostStiffnessPerDamping() const {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> pencil(reduced, Eigen::EigenvaluesOnly);
   const double most = pencil.eigenvalues()[size - 1];
   return most * kTiny * C.norm() < 1e-3 * K.norm() / double(size) ? most : kInfinity;
+}
+
+/// An Arnoldi iteration (Arnoldi 1951) on (w x, v)' = (w v, -K x / w - C v), whose Ritz values reach the outermost
+/// roots first. With w the fastest rate both halves have one unit.
+std::vector<std::complex<double>> RestSpectrum::outerRoots() const {
+  const Eigen::Index size = matrices_->K.rows(), most = std::min<Eigen::Index>(2 * size, kMostProducts);
+  std::vector<std::complex<double>> outer;
+  if (size == 0) return outer;
+  const double w = std::sqrt(farthest({1, 0}).w2) + farthest({0, 1}).d;
+  if (!(w > 0) || !std::isfinite(w)) return outer;
+  Eigen::MatrixXd basis(2 * size, most), small = Eigen::MatrixXd::Zero(most, most);
+  Vector next(2 * size);
+  for (Eigen::Index i = 0; i < 2 * size; ++i) next[i] = std::sin(1.0 + double(i) * double(i));  // touches every mode
+  Eigen::Index count = 0;
+  while (count < most) {
+    const double length = next.norm();
+    if (count > 0) small(count, count - 1) = length;
+    if (count > 0 && length < 1e-12 * w) break;
+    basis.col(count) = next / length;
+    const auto x = basis.col(count).head(size), v = basis.col(count).tail(size);
+    next.head(size) = w * v;
+    next.tail(size) = -(matrices_->K * x) / w - matrices_->C * v;
+    ++count;
+    small.col(count - 1).head(count) = orthogonalised(basis, count, next);
+  }
+  const Eigen::EigenSolver<Eigen::MatrixXd> ritz(small.topLeftCorner(count, count), false);
+  for (const std::complex<double>& mu : ritz.eigenvalues()) outer.push_back(mu);
+  return outer;
 }
 
 /// The eigenvalues of (x, v)' = (v, -K x - C v) in the plane; 0 and -d for every d of the damping out of it.

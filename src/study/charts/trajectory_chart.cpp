@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "study/charts/chart_script.h"
@@ -65,6 +66,33 @@ Range distanceRange(const TrajectoryStudy& study, std::size_t particle) {
   return range;
 }
 
+/// A change of a coordinate that is rounding, m: a hundred units of the numbers' last place, or what the digits of the
+/// script leave. Relative to the sheet and to how far it is from the origin.
+double roundingOf(const TrajectoryStudy& study) {
+  constexpr double kUnits = 100, kDigits = 1e-10;
+  const bool isFloat = study.scene.precision == Precision::Float;
+  const double unit = isFloat ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon();
+  double largest = makeSheet(study.scene).size();
+  for (std::size_t p = 0; p < study.particles.size(); ++p) {
+    for (const auto coordinate : kCoordinates) {
+      const Range range = rangeOf(study, p, coordinate);
+      if (!range.empty()) largest = std::max({largest, std::abs(range.low), std::abs(range.high)});
+    }
+  }
+  return std::max(kUnits * unit, kDigits) * largest;
+}
+
+/// What a panel shows of a coordinate: its range with some space around it, and a tenth of the sheet where it stays.
+Range shownRange(const TrajectoryStudy& study, std::size_t particle, std::size_t coordinate) {
+  const Range range = rangeOf(study, particle, kCoordinates.at(coordinate));
+  if (range.empty() || range.high - range.low > roundingOf(study)) {
+    const bool failed = std::ranges::any_of(study.runs, [](const Trajectory& run) { return run.status != Status::Ok; });
+    return range.widened(failed ? 0.3 : 0.08);
+  }
+  const double middle = (range.low + range.high) / 2, reach = makeSheet(study.scene).size() / 20;
+  return {middle - reach, middle + reach};
+}
+
 /// Which panels the figure has, and where they are: one row a coordinate that changes, an empty one for the distances.
 struct Layout {
   const TrajectoryStudy& study;
@@ -77,9 +105,10 @@ struct Layout {
 };
 
 bool changes(const TrajectoryStudy& study, std::size_t coordinate) {
+  const double rounding = roundingOf(study);
   for (std::size_t p = 0; p < study.particles.size(); ++p) {
     const Range range = rangeOf(study, p, kCoordinates.at(coordinate));
-    if (range.high > range.low) return true;
+    if (range.high - range.low > rounding) return true;
   }
   return false;
 }
@@ -112,6 +141,10 @@ Layout layoutOf(const TrajectoryStudy& study) {
     } else {
       layout.still.append(layout.still.empty() ? "" : " and ").append(kNames.at(c));
     }
+  }
+  if (layout.rows.empty()) {  // a cloth at rest: that is what the figure then shows
+    layout.rows = {0, 1, 2};
+    layout.still.clear();
   }
   if (anyDistance(study)) layout.rows.emplace_back(std::nullopt);
   const bool single = study.particles.size() == 1;
@@ -180,8 +213,7 @@ void addCrosses(const TrajectoryStudy& study, std::size_t coordinate, std::size_
 }
 
 void addCoordinateAxis(const TrajectoryStudy& study, std::size_t coordinate, std::size_t p, ChartScript& script) {
-  const bool failed = std::ranges::any_of(study.runs, [](const Trajectory& run) { return run.status != Status::Ok; });
-  const Range shown = rangeOf(study, p, kCoordinates.at(coordinate)).widened(failed ? 0.3 : 0.08);
+  const Range shown = shownRange(study, p, coordinate);
   script.add("  unset logscale y\n  set format y '%g'\n  set ylabel '{} (m)'\n", kNames.at(coordinate));
   if (shown.high > shown.low) {
     script.add("  set yrange [{:.12g}:{:.12g}]\n", shown.low, shown.high);
@@ -193,9 +225,10 @@ void addCoordinateAxis(const TrajectoryStudy& study, std::size_t coordinate, std
 
 void addDistanceAxis(const TrajectoryStudy& study, std::size_t p, ChartScript& script) {
   const Range range = distanceRange(study, p);
-  script.add("  set logscale y\n  set format y '10^{%T}'\n");
+  script.add(range.empty() ? "  unset logscale y\n  set format y '%g'\n"
+                           : "  set logscale y\n  set format y '10^{%T}'\n");
   script.add("  set ylabel \"distance from\\n{} (m)\"\n", study.runs[study.finest].method->label);
-  if (range.empty()) return script.add("  set yrange [*:*]\n");
+  if (range.empty()) return script.add("  set yrange [-1:1]\n");  // all are the same, and a logarithm shows no 0
   // Whole decades, so that there are labelled tics; curves that cross dip without end and are cut four decades down.
   const double high = std::ceil(std::log10(1.1 * range.high));
   const double low = std::max(std::floor(std::log10(range.low)), high - 4);

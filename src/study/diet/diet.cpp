@@ -15,8 +15,17 @@ namespace tyg {
 namespace {
 
 constexpr double kAloneShare = 0.6;  // of the whole work, about as measured
-/// Costs that differ by less than this fraction count as the same: the machine's noise must not decide.
+/// Costs that differ by less than this fraction count as the same.
 constexpr double kSameCost = 0.1;
+
+/// What a unit of a scene's work costs, counted: the machine's noise must not decide. Solves are priced by the clock,
+/// in force evaluations of the same scene.
+double countedUnit(const Scene& scene, const DietPlan& plan) {
+  if (!findMethod(scene.integrator).solves) return countedCost(scene);
+  Scene explicitly = scene;
+  explicitly.integrator = "symplectic-euler";
+  return countedCost(scene) * plan.cost(scene, plan.threads) / plan.cost(explicitly, plan.threads);
+}
 
 double sagOf(const std::vector<Vec3>& positions) {
   const auto [lowest, highest] = std::ranges::minmax(positions, {}, &Vec3::y);
@@ -35,6 +44,7 @@ DietRow dietRow(const Changed& changed, const Reference& reference, double judge
       sampledRun(changed.scene, method, times, {.threads = plan.threads, .observer = plan.observer});
   row.work = workOf(method, motion);
   row.seconds = static_cast<double>(row.work) * plan.cost(changed.scene, plan.threads);
+  row.counted = static_cast<double>(row.work) * countedUnit(changed.scene, plan);
   const auto judged = static_cast<std::size_t>(std::ranges::upper_bound(times, judgedUpTo) - times.begin());
   if (judged > 0) row.floor = reference.floorAt(judged - 1, changed.scene.precision);
   if (motion.stopped || motion.status != Status::Ok) {
@@ -71,16 +81,17 @@ DietRow rowOf(const Changed& changed, const Measures& measures) {
   return row;
 }
 
-/// What a run takes at least, known before it is made: methods that cost too much need not be run to be left out.
-double leastSeconds(const Scene& scene, const DietPlan& plan) {
+/// What a run costs at least, counted, known before it is made: methods that cost too much need not be run to be left
+/// out.
+double leastCost(const Scene& scene, const DietPlan& plan) {
   const int perStep = std::max(findMethod(scene.integrator).evaluationsPerStep, 1);
-  return scene.duration / scene.dt * perStep * plan.cost(scene, plan.threads);
+  return scene.duration / scene.dt * perStep * countedUnit(scene, plan);
 }
 
 bool better(const DietRow& a, const DietRow& b) {
   if (a.within != b.within) return a.within;
-  const bool sameCost = std::abs(a.seconds - b.seconds) < kSameCost * std::min(a.seconds, b.seconds);
-  if (a.within && !sameCost) return a.seconds < b.seconds;
+  const bool sameCost = std::abs(a.counted - b.counted) < kSameCost * std::min(a.counted, b.counted);
+  if (a.within && !sameCost) return a.counted < b.counted;
   return a.lost.rms < b.lost.rms || (std::isnan(b.lost.rms) && !std::isnan(a.lost.rms));
 }
 
@@ -89,10 +100,10 @@ bool better(const DietRow& a, const DietRow& b) {
 std::optional<DietRow> bestOf(const Change& change, const DietRow& base, const Measures& measures) {
   std::optional<DietRow> best;
   for (const Changed& changed : changesOf(base.scene, change)) {
-    if (change.kind == Change::Method && leastSeconds(changed.scene, measures.plan) > base.seconds) continue;
+    if (change.kind == Change::Method && leastCost(changed.scene, measures.plan) > base.counted) continue;
     const DietRow next = rowOf(changed, measures);
     if (measures.progress.stopped()) return std::nullopt;
-    if (change.kind == Change::Method && !(next.seconds < (1 - kSameCost) * base.seconds)) continue;
+    if (change.kind == Change::Method && !(next.counted < (1 - kSameCost) * base.counted)) continue;
     if (!best || better(next, *best)) best = next;
     if (change.kind == Change::Step && !next.within) break;
   }
@@ -116,7 +127,7 @@ std::vector<ChangeRow> aloneOn(const DietRow& written, const Measures& measures)
 
 /// The changes that are within the tolerance alone, the one that saves most first.
 std::vector<Change> worthKeeping(std::vector<ChangeRow> alone) {
-  std::ranges::stable_sort(alone, [](const auto& a, const auto& b) { return a.second.saved > b.second.saved; });
+  std::ranges::stable_sort(alone, [](const auto& a, const auto& b) { return a.second.counted < b.second.counted; });
   std::vector<Change> changes;
   for (const auto& [change, row] : alone) {
     if (row.within) changes.push_back(change);
@@ -134,7 +145,7 @@ std::vector<DietRow> togetherOn(const DietRow& written, std::vector<Change> open
     open.erase(open.begin());
     const DietRow& base = together.empty() ? written : together.back();
     std::optional<DietRow> next = bestOf(change, base, measures);
-    if (!next || !next->within || next->seconds > (1 + kSameCost) * base.seconds) continue;
+    if (!next || !next->within || next->counted > (1 + kSameCost) * base.counted) continue;
     together.push_back(std::move(*next));
     if (repeats(change)) open.push_back(change);
   }

@@ -30,6 +30,7 @@ struct DietRow {
   double energy = kNone;        ///< kinetic, elastic and gravitational at the end, J
   std::int64_t work = 0;        ///< units: force evaluations, or steps for a method without any
   double seconds = kNone;       ///< work times its calibrated cost
+  double counted = kNone;       ///< the same in counted springs (countedCost), which choices follow
   double saved = 0;             ///< fraction of the seconds of the scene as written
   bool within = false;          ///< is E within the tolerance?
 

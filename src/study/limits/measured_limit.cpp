@@ -22,22 +22,12 @@ enum class Outcome { Held, Failed, Unknown };
 /// Runs the scene with steps of `step` s. Unknown: it would take too much work, or the observer said stop.
 Outcome tried(double step, const Scene& scene, const Method& method, const MeasurePlan& plan) {
   const double steps = plan.steps > 0 ? double(plan.steps) : std::ceil(scene.duration / step);
-  constexpr int kManyStages = 20;  // of a method that takes as many as it needs
-  const int evaluations = method.evaluationsPerStep < 0 ? kManyStages : method.evaluationsPerStep + 1;
-  if (steps * evaluations * scene.columns * scene.rows > plan.mostWork) return Outcome::Unknown;
   Scene timed = scene;
   timed.tolerance = 0;  // adaptive methods take the step they are given
   timed.dt = step;
   timed.duration = steps * step;
-  Simulation simulation(timed, method, {.threads = plan.threads});
-  bool stopped = false;
-  simulation.observe([&] {
-    stopped = stopped || (plan.observer && !plan.observer());
-    return !stopped;
-  });
-  simulation.advanceTo(timed.duration);
-  if (stopped) return Outcome::Unknown;
-  return simulation.status() == Status::Ok ? Outcome::Held : Outcome::Failed;
+  const std::optional<bool> held = survives(timed, method, plan);
+  return !held ? Outcome::Unknown : *held ? Outcome::Held : Outcome::Failed;
 }
 
 }  // namespace
@@ -57,6 +47,24 @@ Scene linearRegime(Scene scene) {
     scene.displacements.push_back({{"", particle % scene.columns, particle / scene.columns}, {x, y, z}});
   }
   return scene;
+}
+
+std::optional<bool> survives(const Scene& scene, const Method& method, const MeasurePlan& plan) {
+  constexpr int kManyStages = 20;  // of a method that takes as many as it needs
+  const int evaluations = method.evaluationsPerStep < 0 ? kManyStages : method.evaluationsPerStep + 1;
+  const double particles = double(scene.columns) * scene.rows;
+  const bool choosesSteps = method.adaptive && scene.tolerance > 0;
+  if (!choosesSteps && scene.duration / scene.dt * evaluations * particles > plan.mostWork) return {};
+  Simulation simulation(scene, method, {.threads = plan.threads});
+  bool stopped = false;
+  simulation.observe([&] {
+    stopped = stopped || (choosesSteps && double(simulation.forceEvaluations()) * particles > plan.mostWork);
+    stopped = stopped || (plan.observer && !plan.observer());
+    return !stopped;
+  });
+  simulation.advanceTo(scene.duration);
+  if (stopped) return {};
+  return simulation.status() == Status::Ok;
 }
 
 double measuredLimit(const Scene& scene, const Method& method, const MeasurePlan& plan) {

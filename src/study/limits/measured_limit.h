@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "tyg/method.h"
 #include "tyg/scene.h"
@@ -22,6 +23,10 @@ struct MeasurePlan {
   int threads = 1;
   std::function<bool()> observer;  ///< called often; return false to stop
 };
+
+/// Whether the scene's own motion keeps the alarm quiet to its end, with its own step or tolerance; nothing where that
+/// takes more work than the plan allows, or where the observer said stop.
+std::optional<bool> survives(const Scene& scene, const Method& method, const MeasurePlan& plan);
 
 /// The largest step (s) found to hold; infinite where steps up to 8 times `begin` hold; NaN where it takes too much
 /// work to tell, or where the observer said stop. Runs last a whole number of equal steps (but for the edges of

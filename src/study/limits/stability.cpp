@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <span>
 
 #include "core/spectrum/level_line.h"
 #include "core/spectrum/rest_spectrum.h"
@@ -37,15 +39,6 @@ std::size_t limitingMode(const Method& method, const std::array<Mode, 5>& modes)
   return worst;
 }
 
-/// The wave of the lattice at rest that limits a method that has a limit of modes.
-LowestWave restWave(const Lattice& lattice, const Method& method) {
-  return lowestWave(lattice, [&](double qx, double qy) {
-    const std::array<Mode, 5> modes = lattice.modes(qx, qy);
-    const Mode& mode = modes.at(limitingMode(method, modes));
-    return method.stableStep(mode.w2, mode.d);
-  });
-}
-
 /// The smallest limit of any mode with 0 <= w2 <= most.w2 and 0 <= d <= most.d. Along a ray through the region a limit
 /// shrinks, so it lies on one of the two outer edges.
 double smallestWithin(const Method& method, const Mode& most) {
@@ -65,7 +58,7 @@ double limitOf(const Method& method, const Mode& mode) {
 }
 
 /// The smallest limit of all roots mu, each taken as a mode of its own; those of rigid motions are 0 but for rounding.
-double limitOfRoots(const Method& method, const std::vector<std::complex<double>>& roots) {
+double limitOfRoots(const Method& method, std::span<const std::complex<double>> roots) {
   double fastest = 0, smallest = kEveryStep;
   for (const std::complex<double>& mu : roots) fastest = std::max(fastest, std::abs(mu));
   for (const std::complex<double>& mu : roots) {
@@ -80,10 +73,11 @@ double limitOfRoots(const Method& method, const std::vector<std::complex<double>
 }
 
 /// Follows the normals of the method's level lines from one mode to the mode that is farthest along them.
-double settledLimit(const Method& method, const RestSpectrum& spectrum, Mode mode, bool damped) {
+template <class Farthest>
+double settledLimit(const Method& method, const Farthest& farthest, Mode mode) {
   double limit = kEveryStep;
   for (int round = 0; round < 8; ++round) {
-    mode = spectrum.farthest(damped ? normalOfDamped(method, mode) : normalOfStiff(method, mode));
+    mode = farthest(normalOfStiff(method, mode));
     const double before = limit;
     limit = limitOf(method, mode);
     if (std::abs(before - limit) < 1e-7 * limit) break;
@@ -91,25 +85,71 @@ double settledLimit(const Method& method, const RestSpectrum& spectrum, Mode mod
   return limit;
 }
 
+/// Of a wave under the axial law, whose stiffness and damping need not share their eigenvectors.
+double axialLimit(const Lattice& lattice, const Method& method, double qx, double qy) {
+  const std::array<Mode, 5> modes = lattice.modes(qx, qy);
+  const double across = limitOf(method, modes.at(Lattice::kOutOfPlane));
+  if (!hasStraightLevelLines(method, modes[0].d)) {
+    return std::min(across, limitOfRoots(method, lattice.rootsInPlane(qx, qy)));
+  }
+  const auto farthest = [&](const LineNormal& normal) {
+    return lattice.farthestInPlane(normal.ofK, normal.ofC, qx, qy);
+  };
+  return std::min(across, settledLimit(method, farthest, modes[0]));
+}
+
+/// The wave of the unbounded lattice at rest that limits a method that has a limit of modes.
+LowestWave restWave(const Scene& scene, const Method& method) {
+  const Lattice lattice(scene);
+  return lowestWave(lattice, [&](double qx, double qy) {
+    if (scene.damping == Damping::Axial) return axialLimit(lattice, method, qx, qy);
+    const std::array<Mode, 5> modes = lattice.modes(qx, qy);
+    const Mode& mode = modes.at(limitingMode(method, modes));
+    return method.stableStep(mode.w2, mode.d);
+  });
+}
+
+/// The mode of that wave that limits the method.
+Mode modeOf(const Scene& scene, const Method& method, const LowestWave& wave) {
+  const std::array<Mode, 5> modes = Lattice(scene).modes(wave.qx, wave.qy);
+  return modes.at(limitingMode(method, modes));
+}
+
+/// Does the method hold by damping alone, so that the least damped motion sets its limit? Only a full spectrum tells
+/// it.
+bool isHeldByDamping(const Method& method, const Mode& mode) { return method.stableStep(mode.w2, 0) == 0; }
+
 /// Of the finite sheet at rest with its pins.
 double finiteSheetLimit(const Scene& scene, const Method& method, const Mode& ofLattice) {
   const RestSpectrum spectrum(scene);
-  const Mode across = spectrum.mostDampedOutOfPlane();
-  const bool straight = hasStraightLevelLines(method, ofLattice.d);
-  if (!straight && scene.columns * scene.rows <= RestSpectrum::kMostDense) {
-    return limitOfRoots(method, spectrum.roots());
+  const bool small = scene.columns * scene.rows <= RestSpectrum::kMostDense;
+  const double across = limitOf(method, spectrum.mostDampedOutOfPlane());
+  if (!hasStraightLevelLines(method, ofLattice.d)) {
+    return std::min(across, limitOfRoots(method, small ? spectrum.roots() : spectrum.outerRoots()));
   }
-  const double stiff = settledLimit(method, spectrum, ofLattice, false);
-  if (straight) return std::min(stiff, limitOf(method, across));
-  return std::min({stiff, limitOf(method, across), settledLimit(method, spectrum, ofLattice, true)});
+  const auto farthest = [&](const LineNormal& normal) { return spectrum.farthest(normal); };
+  return std::min(across, settledLimit(method, farthest, ofLattice));
 }
 
 }  // namespace
 
-double restLatticeLimit(const Scene& scene, const Method& method) {
+double unboundedLimit(const Scene& scene, const Method& method) {
   if (method.stableStepOfScene != nullptr) return finiteOrNone(method.stableStepOfScene(scene));
   if (method.stableStep == nullptr) return kNone;
-  return finiteOrNone(restWave(Lattice(scene), method).value);
+  return finiteOrNone(restWave(scene, method).value);
+}
+
+double restLatticeLimit(const Scene& scene, const Method& method) {
+  const std::optional<Scene> sheet = RestSpectrum::smallSheet(scene);
+  if (method.stableStep == nullptr || !sheet) return unboundedLimit(scene, method);
+  const LowestWave wave = restWave(scene, method);
+  const double unbounded = finiteOrNone(wave.value);
+  if (!(unbounded > 0)) return unbounded;
+  const Mode mode = modeOf(scene, method, wave);
+  const bool small = sheet->columns * sheet->rows <= RestSpectrum::kMostDense;
+  if (!small && isHeldByDamping(method, mode)) return unbounded;
+  const double own = finiteSheetLimit(*sheet, method, mode);
+  return finiteOrNone(std::max(StepLimit::kBelowMeeting * own, std::min(own, unbounded)));
 }
 
 double certifiedLimit(const Scene& scene, const Method& method) {
@@ -125,7 +165,7 @@ double certifiedLimit(const Scene& scene, const Method& method) {
   return finiteOrNone(smallestWithin(method, {mostW2, mostD}));
 }
 
-StepLimit stepLimit(const Scene& scene, const Method& method, bool quick) {
+StepLimit stepLimit(const Scene& scene, const Method& method) {
   StepLimit limit;
   limit.predicted = restLatticeLimit(scene, method);
   limit.certified = certifiedLimit(scene, method);
@@ -139,23 +179,17 @@ StepLimit stepLimit(const Scene& scene, const Method& method, bool quick) {
     limit.qx = wave.qx, limit.qy = wave.qy, limit.mode = wave.mode;
     limit.outOfPlane = byStages && wave.mode.w2 == 0;
     limit.byDamping = byStages && wave.mode.discriminant() > 0;
+    const std::optional<Scene> sheet = RestSpectrum::smallSheet(scene);
+    if (!byStages && sheet) limit.mode = RestSpectrum(*sheet).farthest({1, 0});
     return limit;
   }
-  const LowestWave wave = restWave(lattice, method);
+  const LowestWave wave = restWave(scene, method);
   limit.qx = wave.qx, limit.qy = wave.qy;
   const std::array<Mode, 5> modes = lattice.modes(wave.qx, wave.qy);
   const std::size_t worst = limitingMode(method, modes);
   limit.mode = modes.at(worst);
   limit.outOfPlane = worst == Lattice::kOutOfPlane;
   limit.byDamping = method.stableStep(0, limit.mode.d) < method.stableStep(limit.mode.w2, 0);
-  // Explicit Euler holds by the least ratio of damping to stiffness, which only a full spectrum tells.
-  const bool small = scene.columns * scene.rows <= RestSpectrum::kMostDense;
-  const bool isHeldByDamping = method.stableStep(limit.mode.w2, 0) == 0;
-  const bool known = scene.columns * scene.rows <= RestSpectrum::kMostParticles && (small || !isHeldByDamping);
-  if (known && !quick && limit.predicted > 0) {
-    const double own = finiteSheetLimit(scene, method, limit.mode);
-    limit.predicted = finiteOrNone(std::max(StepLimit::kBelowMeeting * own, std::min(own, limit.predicted)));
-  }
   return limit;
 }
 

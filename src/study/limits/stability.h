@@ -10,10 +10,14 @@
 
 namespace tyg {
 
-/// Largest stable step (s) of a method over the waves of the scene's lattice at rest, all damping included. The
-/// lattice is taken as unbounded, so pins and edges can only make the true limit larger. 0 where no step is stable; NaN
-/// where the method has no limit or nothing on the sheet sets one (free fall).
+/// Largest stable step (s) of a method over the motions of the scene's lattice at rest, all damping included: the one
+/// number that commands, studies and the window call the limit at rest. Of small sheets and of narrow ones it is that
+/// of their own spectrum with its edges and pins (RestSpectrum::smallSheet); others are taken as unbounded, which pins
+/// and edges only loosen. 0 where no step is stable; NaN where the method has no limit or nothing on the sheet sets one
+/// (free fall).
 double restLatticeLimit(const Scene& scene, const Method& method);
+/// The same of the unbounded lattice, whatever the size of the sheet.
+double unboundedLimit(const Scene& scene, const Method& method);
 
 /// A step (s) up to which no deformation of the sheet makes the method unstable: each mode of the sheet as it is at any
 /// one time stays bounded. For symplectic Euler, leapfrog and report-rk4 from max over q of h^2 Lk + c h Ld <= 4 m
@@ -29,17 +33,14 @@ struct StepLimit {
   /// step though neither root does; this far below, it beats but does not grow.
   static constexpr double kBelowMeeting = 0.998;
 
-  double predicted = 0;   ///< s: of the finite sheet at rest with its pins, the unbounded lattice's for large sheets; 0
-                          ///< and NaN as for restLatticeLimit
-  double certified = 0;   ///< s: of certifiedLimit
-  double qx = 0, qy = 0;  ///< phases of the wave that fails first, from column to column and row to row, [0, pi]
-  Mode mode;              ///< its frequency and damping
+  double predicted = 0;     ///< s: of restLatticeLimit
+  double certified = 0;     ///< s: of certifiedLimit
+  double qx = 0, qy = 0;    ///< phases of the wave that fails first, from column to column and row to row, [0, pi]
+  Mode mode;                ///< its frequency and damping
   bool outOfPlane = false;  ///< does it move across the sheet?
   bool byDamping = false;   ///< damping sets the limit rather than stiffness
 };
-/// `predicted` needs the sheet's spectrum: up to a second for 64 x 64 particles; with `quick` it is the unbounded
-/// lattice's.
-StepLimit stepLimit(const Scene& scene, const Method& method, bool quick = false);
+StepLimit stepLimit(const Scene& scene, const Method& method);
 
 /// What the first failing motion looks like: `checkerboard`, `column stripes`, `row stripes`, `stripes` where it may be
 /// either, `rippled stripes`, `diagonal ripples`, `the whole sheet`, and in a chain `each against the next` or

@@ -15,6 +15,11 @@ namespace tyg {
 /// Units of work of a run: its force evaluations, or its steps for a method that makes none.
 std::int64_t workOf(const Method& method, const SampledMotion& run);
 
+/// What a force evaluation of a scene's grid, terms and precision costs, counted instead of measured: in springs, of
+/// which a particle counts as two, its drag and the damping of a spring as half a one, and everything 0.6 times in
+/// float.
+double countedCost(const Scene& scene);
+
 /// Seconds that one unit of work of a scene takes, by the scene's own method, step, precision, grid and terms.
 using UnitCost = std::function<double(const Scene& scene, int threads)>;
 

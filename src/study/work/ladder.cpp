@@ -1,9 +1,13 @@
 // Steps are multiples of a method's stable limit, tolerances powers of ten.
 #include "study/work/ladder.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
+#include "core/forces/term.h"
 #include "study/limits/stability.h"
 #include "study/motion/sampled_motion.h"
 #include "tyg/methods.h"
@@ -13,8 +17,10 @@ namespace tyg {
 namespace {
 
 constexpr int kFinerHalvings = 20;
-constexpr double kLargestWithoutLimit = 1.0 / 30;  // s: two frames of a window
-constexpr double kTolerances[] = {1e1, 1e0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12};
+/// Where nothing limits a method: of the largest step that leapfrog takes without damping, which resolves the fastest
+/// wave; about two frames of a window in the built-in scenes.
+constexpr double kLargestWithoutLimit = 11;
+constexpr int kTolerances = 12;
 
 /// Where no step is stable (the explicit Euler method without damping), a run of a given length still survives with
 /// small ones: the search for them starts at the limit of the symplectic method.
@@ -22,7 +28,9 @@ double coarsestStep(const Scene& scene, const Method& method) {
   const double limit = restLatticeLimit(scene, method);
   if (limit > 0) return 2 * limit;
   const double other = limit == 0 ? restLatticeLimit(scene, findMethod("symplectic-euler")) : limit;
-  return other > 0 ? other : kLargestWithoutLimit;
+  if (other > 0) return other;
+  const double fastest = restLatticeLimit(withoutDamping(scene), findMethod("leapfrog"));
+  return fastest > 0 ? kLargestWithoutLimit * fastest : sampleTimes(scene).front();
 }
 
 std::vector<Rung> stepLadder(const Scene& scene, const Method& method) {
@@ -42,12 +50,14 @@ std::vector<Rung> stepLadder(const Scene& scene, const Method& method) {
   return rungs;
 }
 
+/// The number nearest to 10^k, the same on every machine.
+double powerOfTen(int k) { return std::strtod(fmt::format("1e{}", k).c_str(), nullptr); }
+
 std::vector<Rung> toleranceLadder(const Scene& scene) {
-  const double coarsest = 0.02 * makeSheet(scene).size();
+  const int coarsest = static_cast<int>(std::floor(std::log10(0.02 * makeSheet(scene).size())));
   std::vector<Rung> rungs;
-  for (const double tolerance : kTolerances) {
-    if (tolerance <= coarsest) rungs.push_back({scene.dt, tolerance});
-  }
+  rungs.reserve(kTolerances);
+  for (int k = 0; k < kTolerances; ++k) rungs.push_back({scene.dt, powerOfTen(coarsest - k)});
   return rungs;
 }
 

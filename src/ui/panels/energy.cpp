@@ -133,7 +133,7 @@ class EnergyPanel final : public Panel {
       ImGui::PopStyleColor();
     }
     ImGui::TableNextColumn();
-    if (counted(scope)) ImGui::Text("drift %.2g %%", 100 * ledger_.drift);
+    if (counted(scope) && ledger_.scale > 0) ImGui::Text("drift %.2g %%", 100 * ledger_.drift);
     ImGui::EndTable();
   }
 
@@ -144,7 +144,7 @@ class EnergyPanel final : public Panel {
     ImGui::Dummy({width, height});
     const std::optional<PowerFlow> known = flow(scope);
     const PowerFlow flow = known.value_or(powerBetween(ledger_, ledger_, 1));
-    most_ = std::max(0.98 * most_, 1e-9);
+    most_ = std::max(0.98 * most_, std::numeric_limits<double>::min());
     for (const std::span<const PowerFlow::Bond> side : {flow.sources(), flow.sinks()}) {
       for (const PowerFlow::Bond& each : side) most_ = std::max(most_, std::abs(each.watts));
     }
