@@ -1,17 +1,30 @@
-// The first Ctrl-C only sets a flag, which long work looks at; the second one ends the program at once.
+// The first Ctrl-C only sets a flag, which long work looks at; the second one ends the program at once. So does an
+// alarm a second after the first, where nothing has looked at the flag until then.
 #include "util/interrupt.h"
 
 #include <csignal>
 
+#include <unistd.h>
+
 namespace tyg {
 namespace {
 
-volatile std::sig_atomic_t raised = 0;
+constexpr unsigned kPatience = 1;  // s
+volatile std::sig_atomic_t raised = 0, heard = 0;
+
+// Work that cannot look at the flag, such as a library's factorisation, is ended as by a second signal.
+extern "C" void endUnheard(int /*alarm*/) {
+  if (heard != 0) return;
+  std::signal(raised, SIG_DFL);
+  std::raise(raised);
+}
 
 // A second signal finds the default action, so that a stuck program can still be ended.
 extern "C" void raiseFlag(int signal) {
-  raised = 1;
+  raised = signal;
   std::signal(signal, SIG_DFL);
+  std::signal(SIGALRM, endUnheard);
+  alarm(kPatience);
 }
 
 void watch(int signal) {
@@ -26,6 +39,7 @@ void unwatch(int signal) {
 
 InterruptWatch::InterruptWatch() {
   raised = 0;
+  heard = 0;
   watch(SIGINT);
   watch(SIGTERM);
 }
@@ -35,6 +49,10 @@ InterruptWatch::~InterruptWatch() {
   unwatch(SIGTERM);
 }
 
-bool interrupted() { return raised != 0; }
+bool interrupted() {
+  if (raised == 0) return false;
+  heard = 1;
+  return true;
+}
 
 }  // namespace tyg

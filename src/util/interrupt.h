@@ -4,7 +4,8 @@
 
 namespace tyg {
 
-/// While one of these lives, the first Ctrl-C (or SIGTERM) only raises the flag; a second one ends the program at once.
+/// While one of these lives, the first Ctrl-C (or SIGTERM) only raises the flag. A second one ends the program at once,
+/// and so does the first where nobody has asked interrupted() within a second of it: some work cannot ask.
 /// Signals that the program was started with as ignored stay ignored.
 class InterruptWatch {
  public:

@@ -35,7 +35,9 @@ void addHangingCloth(const Simulation& simulation, std::vector<glm::vec3>& point
 void addMotion(Simulation trial, const std::function<double()>& clock, std::vector<glm::vec3>& points) {
   std::vector<float> xyz(static_cast<std::size_t>(3 * trial.sheet().count()));
   const double start = clock(), end = std::min(trial.scene().duration, kTrialSeconds);
-  while (trial.time() < end && clock() - start < kTrialWallSeconds) {
+  const auto goesOn = [&] { return clock() - start < kTrialWallSeconds; };
+  trial.observe(goesOn);
+  while (trial.time() < end && goesOn()) {
     trial.tick();
     if (trial.ticks() % kTicksPerBox != 0) continue;
     if (trial.check() != Status::Ok) return;

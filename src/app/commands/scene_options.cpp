@@ -4,6 +4,7 @@
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
+#include "core/scene/scene_range.h"
 #include "tyg/methods.h"
 #include "util/text.h"
 
@@ -82,6 +83,7 @@ Scene overridden(Scene scene, const SceneOptions& options) {
   scene.dt = options.dt.value_or(scene.dt);
   scene.tolerance = options.tolerance.value_or(scene.tolerance);
   scene.duration = options.duration.value_or(scene.duration);
+  refuseExtremes(scene);
   return scene;
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -145,8 +146,10 @@ void SceneTable::particleSets(std::string_view key, const Sheet& sheet, std::vec
   if (value == nullptr) return;
   const toml::array* array = value->as_array();
   if (array == nullptr) refuseValue(*value);
+  std::set<std::string> names;  // a set of particles is listed once, however often it is named
   for (const toml::node& element : *array) {
     out.push_back(place(element));
+    if (!out.back().name.empty() && !names.insert(out.back().name).second) continue;
     try {
       (void)particlesAt(sheet, out.back());
     } catch (const InputError& mistake) {
