@@ -23,6 +23,13 @@ if(TYG_SANITIZE)
   add_link_options(-fsanitize=${TYG_SANITIZE})
 endif()
 
+if(TYG_FUZZ AND NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  message(FATAL_ERROR "TYG_FUZZ: found the compiler ${CMAKE_CXX_COMPILER_ID}, allowed is clang, which has libFuzzer")
+endif()
+if(TYG_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+
 # Standard headers are most of what there is to compile in a file, so they are compiled once: for the rooms that compute
 # and for those that show something. Files still include what they use: it must build with
 # CMAKE_DISABLE_PRECOMPILE_HEADERS=ON as well.

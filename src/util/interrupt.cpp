@@ -9,7 +9,7 @@
 namespace tyg {
 namespace {
 
-constexpr unsigned kPatience = 1;  // s
+constexpr unsigned kPatience = 700'000;  // us
 volatile std::sig_atomic_t raised = 0, heard = 0;
 
 // Work that cannot look at the flag, such as a library's factorisation, is ended as by a second signal.
@@ -24,7 +24,7 @@ extern "C" void raiseFlag(int signal) {
   raised = signal;
   std::signal(signal, SIG_DFL);
   std::signal(SIGALRM, endUnheard);
-  alarm(kPatience);
+  ualarm(kPatience, 0);
 }
 
 void watch(int signal) {

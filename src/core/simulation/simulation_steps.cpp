@@ -13,8 +13,8 @@ namespace {
 constexpr double kSameTime = 1e-9;   // of dt: stop times closer than this are one
 constexpr double kMostSteps = 1e15;  // of one run: more would not end, and could not be counted
 constexpr std::int64_t kStepsBetweenChecks = 64;
-/// Of particles in all steps between two questions to the observer: some tenths of a second.
-constexpr std::int64_t kWorkBetweenQuestions = std::int64_t{1} << 26;
+/// Evaluations of all particles between two questions to the observer: a tenth of a second.
+constexpr std::int64_t kWorkBetweenQuestions = std::int64_t{1} << 24;
 /// Fused steps need as many at once to keep two threads in step.
 constexpr std::int64_t kFewestFused = 16;
 
@@ -35,6 +35,7 @@ std::int64_t Simulation::Impl::stepsToCheck() const { return kStepsBetweenChecks
 
 /// Up to the next energy check, but for large sheets no more than the observer can wait for.
 std::int64_t Simulation::Impl::stepsToQuestion() const {
+  if (!observer) return stepsToCheck();
   const int evaluations = run.method->evaluationsPerStep;
   const std::int64_t work = std::int64_t{sheet.count()} * std::max(evaluations, 1);
   const std::int64_t fewest = evaluations == 1 ? kFewestFused : 1;
