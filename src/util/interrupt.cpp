@@ -4,12 +4,14 @@
 
 #include <csignal>
 
-#include <unistd.h>
+#include <sys/time.h>
+
+#include <cmath>
 
 namespace tyg {
 namespace {
 
-constexpr unsigned kPatience = 700'000;  // us
+itimerval patience{};
 volatile std::sig_atomic_t raised = 0, heard = 0;
 
 // Work that cannot look at the flag, such as a library's factorisation, is ended as by a second signal.
@@ -24,7 +26,7 @@ extern "C" void raiseFlag(int signal) {
   raised = signal;
   std::signal(signal, SIG_DFL);
   std::signal(SIGALRM, endUnheard);
-  ualarm(kPatience, 0);
+  setitimer(ITIMER_REAL, &patience, nullptr);
 }
 
 void watch(int signal) {
@@ -37,7 +39,9 @@ void unwatch(int signal) {
 
 }  // namespace
 
-InterruptWatch::InterruptWatch() {
+InterruptWatch::InterruptWatch(double seconds) {
+  const double whole = std::floor(seconds);
+  patience.it_value = {.tv_sec = time_t(whole), .tv_usec = suseconds_t(1e6 * (seconds - whole))};
   raised = 0;
   heard = 0;
   watch(SIGINT);

@@ -5,11 +5,14 @@
 namespace tyg {
 
 /// While one of these lives, the first Ctrl-C (or SIGTERM) only raises the flag. A second one ends the program at once,
-/// and so does the first where nobody has asked interrupted() within a second of it: some work cannot ask.
+/// and so does the first where nobody has asked interrupted() in time: some work cannot ask.
 /// Signals that the program was started with as ignored stay ignored.
 class InterruptWatch {
  public:
-  InterruptWatch();
+  /// Within a second, whatever is under way.
+  static constexpr double kPatience = 0.7;
+  /// `patience`: s that the first signal waits for somebody to ask, > 0.
+  explicit InterruptWatch(double patience = kPatience);
   ~InterruptWatch();
   InterruptWatch(const InterruptWatch&) = delete;
   InterruptWatch& operator=(const InterruptWatch&) = delete;
