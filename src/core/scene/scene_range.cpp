@@ -35,17 +35,22 @@ class RangeCheck {
 
 }  // namespace
 
-void refuseExtremes(const Scene& scene) {
+void refuseExtremeParameters(const Scene& scene) {
   const RangeCheck check(scene.name);
-  check.positive("sheet.spacing", scene.spacing);
-  check.positive("sheet.particle_mass", scene.particleMass);
-  check.positive("run.duration", scene.duration);
   for (const ForceTerm* term : forceTerms()) {
     for (const Parameter& parameter : term->parameters) {
       const Vec3 value = parameter.get(scene);
       parameter.count == 1 ? check.number(parameter.key, value.x) : check.vector(parameter.key, value);
     }
   }
+}
+
+void refuseExtremes(const Scene& scene) {
+  const RangeCheck check(scene.name);
+  check.positive("sheet.spacing", scene.spacing);
+  check.positive("sheet.particle_mass", scene.particleMass);
+  check.positive("run.duration", scene.duration);
+  refuseExtremeParameters(scene);
   for (const Displacement& displacement : scene.displacements) check.vector("displace.by", displacement.by);
   for (const Push& push : scene.pushes) {
     check.vector("push.force", push.force);

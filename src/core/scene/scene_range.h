@@ -14,5 +14,7 @@ inline constexpr double kSmallestNumber = 1e-30, kLargestNumber = 1e30;
 /// Throws InputError with the scene's name, the key, what was found and what is allowed, where a number of the scene is
 /// not finite, or too large or too small to compute with. Parts of vectors may be as small as they like.
 void refuseExtremes(const Scene& scene);
+/// The same for the parameters of force terms alone, which may change while the cloth moves.
+void refuseExtremeParameters(const Scene& scene);
 
 }  // namespace tyg

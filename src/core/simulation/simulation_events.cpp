@@ -52,7 +52,7 @@ void Simulation::Impl::perform(const WorldEvent& change, std::span<const Method>
   const double potential = run.energies.potential(backend->energy());
   parameter->set(scene, change.value);
   try {
-    refuseExtremes(scene);
+    refuseExtremeParameters(scene);
     backend->useLiveParameters();
   } catch (...) {
     parameter->set(scene, before);
