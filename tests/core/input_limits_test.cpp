@@ -116,6 +116,18 @@ TEST(LargeScenes, WithThousandsOfPushesGiveTheWholeImpulse) {
   }
 }
 
+/// Sixty-four steps of such a sheet, after which a small one asks, would take seconds.
+TEST(LargeSheets, AskTheirObserverEveryFewSteps) {
+  Scene scene = emptyWorld(1024, 1024);
+  scene.precision = Precision::Float;
+  int asked = 0;
+  Simulation simulation(scene, findMethod("rk4"));
+  simulation.observe([&] { return ++asked < 3; });
+  simulation.tick(64);
+  EXPECT_EQ(asked, 3);
+  EXPECT_LT(simulation.steps(), 20);
+}
+
 TEST(InputError, ShowsTheNulsOfItsMessage) {
   const std::string found("a\0b", 3);
   EXPECT_STREQ(InputError("found '" + found + "', allowed c").what(), "found 'a\\0b', allowed c");
