@@ -25,7 +25,7 @@ fuzz() {
   .ci/build fuzz fuzz_scene fuzz_log fuzz_rows fuzz_arguments || return 1
   for kind in scene log rows arguments; do
     mkdir -p "build/fuzz/found/$kind"
-    "build/fuzz/tests/fuzz_$kind" -max_total_time=$seconds -timeout=20 -close_fd_mask=1 -print_final_stats=1 \
+    "build/fuzz/tests/fuzz_$kind" -max_total_time=$seconds -timeout=20 -close_fd_mask=3 -print_final_stats=1 \
       -artifact_prefix="build/fuzz/$kind-" "build/fuzz/found/$kind" "tests/fuzz/corpus/$kind" \
       >"build/fuzz/$kind.log" 2>&1 || { tail -n 40 "build/fuzz/$kind.log" >&2 && return 1; }
     echo "fuzz: $kind: $(sed -n 's/^stat::number_of_executed_units: *//p' "build/fuzz/$kind.log") inputs, none failed"
