@@ -18,9 +18,17 @@ if(TYG_WERROR)
   target_compile_options(tyg_settings INTERFACE -Werror)
 endif()
 if(TYG_SANITIZE)
-  add_compile_options(-Wno-maybe-uninitialized)  # GCC sees uninitialised values in what the sanitizers add
+  add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # GCC sees uninitialised values in what the sanitizers add
   add_compile_options(-fsanitize=${TYG_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${TYG_SANITIZE})
+endif()
+
+if(TYG_FUZZ AND NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  message(FATAL_ERROR "TYG_FUZZ: found the compiler ${CMAKE_CXX_COMPILER_ID}, allowed is clang, which has libFuzzer")
+endif()
+if(TYG_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+  add_compile_definitions(FMT_HEADER_ONLY)  # clang and GCC, which built the library, name some of its functions differently
 endif()
 
 # Standard headers are most of what there is to compile in a file, so they are compiled once: for the rooms that compute

@@ -3,13 +3,15 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 namespace tyg {
 
 /// What a person wrote is wrong. `what()` says where, what was found and what is allowed. Programs exit with 2.
 class InputError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  /// NUL characters of the message, which would end it, become `\0`.
+  explicit InputError(const std::string& message);
 };
 
 }  // namespace tyg

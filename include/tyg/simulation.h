@@ -69,8 +69,9 @@ class Snapshot {
 
 class Simulation {
  public:
-  /// Sets the scene up in its own precision. Throws InputError where pins or pushes lie outside the sheet, or where the
-  /// method does not take the scene.
+  /// Sets the scene up in its own precision. Throws InputError where pins or pushes lie outside the sheet, where a
+  /// number is too large or too small to compute with (a size outside 1e-30 to 1e30), or where the method does not take
+  /// the scene.
   Simulation(const Scene& scene, const Method& method, const Settings& settings = {});
   ~Simulation();
   Simulation(Simulation&&) noexcept;
@@ -83,7 +84,7 @@ class Simulation {
   /// as advanceTo does, but between ticks: one that the observer stops has not begun. Many at once are the same bits as
   /// one by one, and faster; none where `count` is below 1.
   void tick(std::int64_t count = 1);
-  /// Called about every 64 steps; return false to stop. For progress and interruption.
+  /// Called about every 64 steps, oftener for large sheets; return false to stop. For progress and interruption.
   void observe(std::function<bool()> observer);
 
   /// Pushes a particle from the next tick on for a whole number of ticks (>= 1). Force in N. This and the three

@@ -88,7 +88,9 @@ int explain(const CLI::App& app, const CLI::ParseError& error) {
   return kWrongInput;
 }
 
-int parseAndRun(CLI::App& app, std::vector<std::string> words) {
+enum class Wanted { Read, Run };
+
+int parseAndRun(CLI::App& app, std::vector<std::string> words, Wanted wanted) {
   Action action;
   addViewCommand(app, action);
   addRunCommand(app, action);
@@ -107,22 +109,17 @@ int parseAndRun(CLI::App& app, std::vector<std::string> words) {
   } catch (const CLI::ParseError& error) {
     return error.get_exit_code() == 0 ? app.exit(error) : explain(app, error);
   }
-  return action();
+  return wanted == Wanted::Run ? action() : kDone;
 }
 
-}  // namespace
-
-int runCommandLine(int argc, char** argv) {
-  openMissingStandardFiles();
-  prepareForSuddenEnd();
-  HarmlessOutput harmlessResults(std::cout), harmlessMessages(std::cerr);
+int guarded(const std::vector<std::string>& words, Wanted wanted) {
   try {
     CLI::App app{kAbout, "tyg"};
     app.get_formatter()->column_width(34);
     app.set_help_flag("-h,--help", "Print this help and leave");
     app.set_version_flag("--version", "tyg " TYG_VERSION, "Print the version and leave");
     app.footer(kMore);
-    const int code = parseAndRun(app, {argv + 1, argv + argc});
+    const int code = parseAndRun(app, words, wanted);
     std::cout.flush();
     if (!std::cout)
       throw InputError("standard output: found one that cannot be written, allowed is a file, a pipe or a terminal");
@@ -144,5 +141,16 @@ int runCommandLine(int argc, char** argv) {
   }
   return kSimulationFailed;
 }
+
+}  // namespace
+
+int runCommandLine(int argc, char** argv) {
+  openMissingStandardFiles();
+  prepareForSuddenEnd();
+  HarmlessOutput harmlessResults(std::cout), harmlessMessages(std::cerr);
+  return guarded({argv + 1, argv + argc}, Wanted::Run);
+}
+
+int readCommandLine(const std::vector<std::string>& words) { return guarded(words, Wanted::Read); }
 
 }  // namespace tyg

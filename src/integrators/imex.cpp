@@ -1,9 +1,12 @@
 // Position Verlet with the damping by the implicit midpoint rule, for the relative law, whose matrix D is constant:
 //   y = x + h/2 v;  (M + h/2 D) v' = (M - h/2 D) v + h F_springs(y);  x' = y + h/2 v'
-// Second order; stable to h w = 2 whatever the damping. D is factored once for each step length.
+// Second order; stable to h w = 2 whatever the damping. D is factored once for each step length; of a large sheet,
+// where that would take minutes, the system is solved by conjugate gradients, as long as these converge.
+#include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
+#include <optional>
 
 #include "core/forces/term.h"
 #include "integrators/kick_and_drift.h"
@@ -76,6 +79,8 @@ class Imex final : public Integrator<T> {
       throw InputError("imex: found air, allowed: scenes without it (the matrix of the damping must be constant)");
     }
   }
+  static constexpr std::size_t kMostFactored = 256 * 256;  // particles: a factorisation of them takes a second
+  static constexpr int kMostIterations = 200;
 
   /// D over the particles that move: the graph Laplacian weighted with kd, plus what resists single particles.
   void buildDamping() {
@@ -101,9 +106,42 @@ class Imex final : public Integrator<T> {
     mass_.resize(size, size);
     mass_.setIdentity();
     mass_ *= T(sheet_.particleMass);
-    factoredFor_ = 0;
+    factoredFor_ = systemFor_ = 0;
+    if (isLarge()) {
+      isAnalyzed_ = false;
+      return;
+    }
     if (isDamped_ && !(isAnalyzed_ && samePattern(before, damping_))) factor_.analyzePattern(mass_ + damping_);
     isAnalyzed_ = isDamped_;
+  }
+
+  [[nodiscard]] bool isLarge() const { return places_.size() > kMostFactored; }
+
+  /// (M + h/2 D)^-1 times the impulse. Which way it is solved depends on nothing but the present step, so that a copy
+  /// goes on with the same bits.
+  Columns solved(double h) {
+    if (isLarge()) {
+      if (std::optional<Columns> solution = iterated(h)) return *std::move(solution);
+    }
+    if (!isAnalyzed_) factor_.analyzePattern(mass_ + damping_);
+    isAnalyzed_ = true;
+    if (h != factoredFor_) {
+      factor_.factorize(mass_ + T(h / 2) * damping_);
+      factoredFor_ = h;
+    }
+    return factor_.solve(impulse_);
+  }
+
+  /// The same by conjugate gradients; nothing where the damping is too strong for a few of them.
+  std::optional<Columns> iterated(double h) {
+    if (h != systemFor_) system_ = mass_ + T(h / 2) * damping_;
+    systemFor_ = h;
+    Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> gradients(system_);
+    gradients.setTolerance(sizeof(T) == sizeof(float) ? T(1e-6) : T(1e-12));
+    gradients.setMaxIterations(kMostIterations);
+    Columns solution = gradients.solve(impulse_);
+    if (gradients.info() != Eigen::Success) return std::nullopt;
+    return solution;
   }
 
   static bool samePattern(const Matrix& a, const Matrix& b) {
@@ -114,10 +152,6 @@ class Imex final : public Integrator<T> {
 
   /// Solved for the change of the velocity, (M + h/2 D) (v' - v) = h (F - D v), whose rounding is the smaller one.
   void solve(State<T>& state, double h) {
-    if (h != factoredFor_) {
-      factor_.factorize(mass_ + T(h / 2) * damping_);
-      factoredFor_ = h;
-    }
     const auto size = Eigen::Index(places_.size());
     velocity_.resize(size, 3);
     const std::ptrdiff_t plane = state.velocity.layout().plane;
@@ -136,7 +170,7 @@ class Imex final : public Integrator<T> {
         if (ofPin != 0) impulse_(spring.unknown, axis) += T(h) * spring.kd * ofPin;
       }
     }
-    impulse_ = factor_.solve(impulse_).eval();
+    impulse_ = solved(h);
     for (Eigen::Index k = 0; k < size; ++k) {
       for (int axis = 0; axis < 3; ++axis) v[axis * plane + places_[std::size_t(k)]] += impulse_(k, axis);
     }
@@ -149,9 +183,9 @@ class Imex final : public Integrator<T> {
   std::vector<std::ptrdiff_t> places_;  // by unknown: its place
   std::vector<OnPin> onPins_;
   bool isDamped_ = false, isAnalyzed_ = false;
-  Matrix damping_, mass_;
+  Matrix damping_, mass_, system_;
   Eigen::SimplicialLDLT<Matrix> factor_;
-  double factoredFor_ = 0;
+  double factoredFor_ = 0, systemFor_ = 0;  // s, steps
   Columns velocity_, impulse_;
 };
 

@@ -1,5 +1,8 @@
 // The 2017 report's Runge-Kutta as printed, for the velocity with f = a and then for the position with f = the new
 // velocity: symplectic Euler with a longer step. First order; kept because the report ran it.
+#include <algorithm>
+#include <cmath>
+
 #include "integrators/kick_and_drift.h"
 #include "integrators/make.h"
 #include "integrators/stable_step.h"
@@ -32,11 +35,11 @@ class ReportRk4 final : public Integrator<T> {
 };
 
 /// Symplectic Euler's limit, h^2 w2 + 2 h d <= 4, holds for the step really taken; solved for h by Newton's method
-/// (that step is convex in h).
+/// (that step is convex in h), from above: neither h nor h^4/24 is more than the step.
 double stableStep(double w2, double d) {
   const double limit = positiveRoot(w2, 2 * d);
   if (limit == kEveryStep) return kEveryStep;
-  double h = limit;
+  double h = std::min(limit, std::sqrt(std::sqrt(24.0)) * std::sqrt(std::sqrt(limit)));
   for (int k = 0; k < 50; ++k) h -= (stepTaken(h) - limit) / (1 + h + h * h / 2 + h * h * h / 6);
   return h;
 }

@@ -33,7 +33,8 @@ double rungeKuttaLimit(std::span<const double> growth, double w2, double d) {
   if (!std::isfinite(size)) return 0;
   const Complex direction = mu / size;
   constexpr double kRounding = 1e-12, kStride = 0.05;
-  const auto grows = [&](double radius) { return sizeOf(growth, radius * direction) > 1 + kRounding; };
+  // What is no number counts as growth, so that the way outward has an end.
+  const auto grows = [&](double radius) { return !(sizeOf(growth, radius * direction) <= 1 + kRounding); };
   double outside = kStride;
   while (!grows(outside)) outside += kStride;
   double inside = outside - kStride;

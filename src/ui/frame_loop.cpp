@@ -6,6 +6,10 @@
 #include <exception>
 #include <filesystem>
 
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include "ui/overlay.h"
 #include "util/calibration_clock.h"
 #include "util/interrupt.h"
 #include "util/visible_text.h"
@@ -45,7 +49,30 @@ FrameLoop::FrameLoop(const FrameLoopOptions& options, Viewer& viewer)
       opened_(wallClock()),
       stale_(kFramesToSettle) {}
 
+/// The first picture of a large sheet takes long: until then the window says so.
+void FrameLoop::announceSetUp() {
+  constexpr int kSlow = 512 * 512;  // particles
+  const Sheet& sheet = viewer_.run().simulation().sheet();
+  if (sheet.count() <= kSlow) return;
+  const std::string words =
+      fmt::format("Preparing the picture of {} x {} particles. This may take a minute.", sheet.columns, sheet.rows);
+  for (int frame = 0; frame < kFramesToSettle; ++frame) {
+    for (const WindowEvent& event : window_->events(0)) (void)router_.route(event);
+    imgui_.beginFrame();
+    const ImVec2 corner = ImGui::GetIO().DisplaySize;
+    const TextFonts& fonts = imgui_.fonts();
+    const TextWriter writer{ImGui::GetBackgroundDrawList(), fonts.text, fonts.size, Background::Light};
+    writer.list->AddRectFilled({0, 0}, corner, IM_COL32_WHITE);
+    const float wrap = 0.8F * corner.x;
+    const ImVec2 extent = writer.extent(words, wrap);
+    writer.write({0.5F * (corner.x - extent.x), 0.5F * (corner.y - extent.y)}, IM_COL32_BLACK, words, wrap);
+    ImGuiSession::endFrame();
+    window_->swap();
+  }
+}
+
 std::string FrameLoop::run() {
+  announceSetUp();
   while (!window_->closeRequested() && !viewer_.leaving() && !interrupted()) {
     const double began = wallClock();
     takeEvents();

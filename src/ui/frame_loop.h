@@ -39,6 +39,7 @@ class FrameLoop {
   std::string run();
 
  private:
+  void announceSetUp();
   void takeEvents();
   [[nodiscard]] Insets insets() const;
   void show();

@@ -8,10 +8,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <fstream>
 #include <functional>
-#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -23,6 +23,9 @@ namespace tyg {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// More than any log or table of Tyg has.
+constexpr std::size_t kMostBytesRead = 256 << 20;
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& found) {
   throw InputError("cannot write '" + path.string() + "': " + found +
@@ -113,10 +116,15 @@ std::string readWholeFile(const fs::path& path, const std::string& cannot, const
   if (fs::is_directory(path, error)) refuse("it is a folder");
   std::ifstream in(path, std::ios::binary);
   if (!in) refuse(lastSystemError());
-  std::ostringstream text;
-  if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();  // nothing to copy would count as a failure
-  if (in.bad() || !text) refuse("reading failed");
-  return text.str();
+  // In pieces: a device or a pipe may never end.
+  std::string text;
+  std::array<char, 1 << 16> piece{};
+  while (in.read(piece.data(), piece.size()) || in.gcount() > 0) {
+    text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
+    if (text.size() > kMostBytesRead) refuse(fmt::format("it has more than {} bytes", kMostBytesRead));
+  }
+  if (in.bad()) refuse("reading failed");
+  return text;
 }
 
 void writeWholeFile(const fs::path& path, std::string_view bytes) {

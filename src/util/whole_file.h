@@ -11,8 +11,8 @@
 
 namespace tyg {
 
-/// All bytes of a file. Throws InputError: `cannot` ("cannot read the scene"), the path, the reason, and what is
-/// `allowed`.
+/// All bytes of a file, up to 256 MB of them. Throws InputError: `cannot` ("cannot read the scene"), the path, the
+/// reason, and what is `allowed`.
 std::string readWholeFile(const std::filesystem::path& path, const std::string& cannot, const std::string& allowed);
 
 /// Writes `bytes` to a temporary file beside `path` and renames it. Throws InputError where that cannot be done;

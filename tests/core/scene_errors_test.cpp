@@ -90,6 +90,32 @@ void expectRefusals(const std::vector<Mistake>& mistakes) {
 
 TEST(SceneErrors, AreNotFoundInTheSceneThatTheyAreMadeFrom) { EXPECT_EQ(refusalOf(sceneWith(1, kGood[0])), ""); }
 
+TEST(SceneErrors, NameWhatWindsAndMotionsLack) {
+  const std::string head =
+      "title = \"t\"\n[sheet]\ncolumns = 3\nrows = 3\nspacing = 1\nparticle_mass = 1\npins = [\"top\"]\n"
+      "[run]\nduration = 1\nintegrator = \"rk4\"\ndt = 0.01\n";
+  const std::string wind = "[air]\ndensity = 1.2\n[[wind]]\n";
+  for (const auto& [text, said] : {
+           std::pair{std::string("[[wind]]\nvelocity = [1, 0, 0]\n"), "[[wind]] without [air]"},
+           {"[air]\ncoefficient = 1\n", "air.density"},
+           {wind + "at = 1\n", "wind.velocity"},
+           {wind + "velocity = [1, 0, 0]\ngust = [1, 0, 0]\n", "without a wavelength"},
+           {wind + "velocity = [0, 0, 0]\ngust = [1, 0, 0]\nwavelength = 1\n", "without a velocity"},
+           {wind + "velocity = [1, 0, 0]\nwavelength = 0\n", "wind.wavelength"},
+           {"[[move]]\nwhat = \"middle\"\nvelocity = [1, 0, 0]\nat = 0\nfor = 1\n", "which is not pinned"},
+           {"[[move]]\nwhat = \"topleft\"\nvelocity = [1, 0, 0]\nat = 0\nfor = 1\n", "did you mean 'top-left'"},
+           {"[[move]]\nwhat = \"top\"\nvelocity = [1, 0, 0]\nat = 0\n", "move.for"},
+       }) {
+    const std::string message = messageOf([&, &scene = text] { (void)parseScene(head + scene, "wrong.toml"); });
+    EXPECT_NE(message.find(said), std::string::npos) << text << message;
+    EXPECT_EQ(message.rfind("wrong.toml:", 0), 0U) << message;
+  }
+  EXPECT_EQ(parseScene(head + "[[move]]\nwhat = [1, 0]\nvelocity = [1, 0, 0]\nat = 0\nfor = 1\n", "right.toml")
+                .moves.at(0)
+                .what,
+            (std::vector<Place>{{"", 1, 0}}));
+}
+
 TEST(SceneErrors, NameUnknownKeysAndTables) {
   const std::string root =
       R"("title", "shows", "sheet", "springs", "world", "air", "wind", "displace", "push", "move", "run")";

@@ -29,6 +29,11 @@ TEST(SceneWriter, RandomScenesReadBackToTheLastBit) {
     Scene scene = randomScene(2 + k % 5, 3 + k % 7, numbers);
     scene.displacements.push_back({{"", 1, 2}, numbers.inCube(1)});
     scene.pushes.push_back({{"middle"}, numbers.inCube(3), numbers.between(0, 1), numbers.between(0, 1)});
+    scene.pins.push_back({"top"});
+    scene.air = {numbers.between(0, 2), numbers.between(0, 2)};
+    scene.winds.push_back({.velocity = numbers.inCube(5)});
+    scene.winds.push_back({numbers.inCube(5), numbers.inCube(2), numbers.between(0.1, 3), numbers.between(0, 1), 0.5});
+    scene.moves.push_back({{{"top-left"}, {"", 1, 0}}, numbers.inCube(1), numbers.between(0, 1), 0.25});
     scene.tolerance = numbers.between(1e-12, 1e-3);
     scene.precision = numbers.coin() ? Precision::Float : Precision::Double;
     EXPECT_EQ(readBack(scene), scene) << sceneToToml(scene);

@@ -27,6 +27,15 @@ std::string refusalOf(const fs::path& path) {
   return "nothing was refused";
 }
 
+TEST(WholeFile, ThatNeverEndsIsRefused) {
+  try {
+    (void)readWholeFile("/dev/zero", "cannot read", "a file");
+    FAIL() << "it was read";
+  } catch (const InputError& refusal) {
+    EXPECT_STREQ(refusal.what(), "cannot read '/dev/zero': it has more than 268435456 bytes; allowed: a file");
+  }
+}
+
 TEST(WholeFile, IsWrittenByteForByteAndAlone) {
   const Folder folder;
   const std::string bytes("one\r\n\0two", 9);

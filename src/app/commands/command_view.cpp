@@ -49,10 +49,19 @@ void sayAndKeep(const std::function<void()>& keep) {
   }
 }
 
+/// The window of a large sheet comes late, and nobody should wonder why.
+void saySetUp(const Scene& scene) {
+  constexpr int kSlow = 512 * 512;  // particles: beyond, it takes seconds
+  const int particles = scene.columns * scene.rows;
+  if (particles <= kSlow) return;
+  std::cerr << "tyg view: setting up " << particles << " particles; the window opens when they are there" << std::endl;
+}
+
 int view(const ViewOptions& options) {
   const Scene scene = chosenScene(options.scene);
   if (options.log) checkWritable(*options.log);
   if (options.record) checkWritable(*options.record);
+  saySetUp(scene);
   Viewer viewer(scene, Settings{.threads = options.scene.threads.value_or(0)}, wallClock);
   bool kept = false;
   const auto keep = [&options, &kept](const EventLog& log) {
@@ -64,7 +73,9 @@ int view(const ViewOptions& options) {
   const auto keepWhatRan = [&viewer, &keep] {
     if (const EventLog log = viewer.run().record(); log.ticks > 0) keep(log);
   };
-  const InterruptWatch watch;
+  // Of a large sheet a frame may take longer than that, and a record is worth its end.
+  constexpr double kForTheRecord = 60;  // s
+  const InterruptWatch watch(options.record ? kForTheRecord : InterruptWatch::kPatience);
   ignoreClosedPipes();  // whoever reads the messages may leave before the window does
   const AtExit recordFirst([&] { sayAndKeep(keepWhatRan); });
   try {

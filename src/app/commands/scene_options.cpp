@@ -11,6 +11,7 @@
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
+#include "core/scene/scene_range.h"
 #include "tyg/methods.h"
 #include "util/amounts.h"
 #include "util/text.h"
@@ -130,6 +131,7 @@ Scene overridden(Scene scene, const SceneOptions& options) {
         fmt::format("--dt, --duration: found {:g} s and {:g} s, which make {:.3g} steps; allowed are up to {:g}",
                     scene.dt, scene.duration, scene.duration / scene.dt, kMostSteps));
   }
+  refuseExtremes(scene);
   return scene;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/scene/key_depth.h"
 #include "core/scene/scene_table.h"
 #include "core/scene/term_keys.h"
 #include "tyg/scene.h"
@@ -174,6 +175,20 @@ void readRoot(SceneTable root, Scene& scene, std::span<const std::string_view> m
   readRun(*run, scene, methods);
 }
 
+/// Refuses what would take the parser too much memory or too deep.
+void refuseEndless(std::string_view text, const std::string& fileName) {
+  constexpr std::size_t kMostBytes = 16 << 20;
+  constexpr int kMostParts = 8;
+  if (text.size() > kMostBytes) {
+    throw InputError(
+        fmt::format("{}: found a scene of {} bytes, allowed are {} at most", fileName, text.size(), kMostBytes));
+  }
+  if (const int line = lineOfDeepKey(text, kMostParts); line > 0) {
+    throw InputError(fmt::format("{}:{}: found a key of more than {} parts, allowed are keys such as springs.shear.ks",
+                                 fileName, line, kMostParts));
+  }
+}
+
 std::string builtinNames() { return joined(builtinScenes(), &BuiltinScene::name); }
 
 }  // namespace
@@ -181,6 +196,7 @@ std::string builtinNames() { return joined(builtinScenes(), &BuiltinScene::name)
 const char* nameOf(Precision precision) { return precision == Precision::Float ? "float" : "double"; }
 
 Scene parseScene(std::string_view text, const std::string& fileName, std::span<const std::string_view> methods) {
+  refuseEndless(text, fileName);
   try {
     const toml::table root = toml::parse(text, std::string_view(fileName));
     Scene scene;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -149,7 +150,11 @@ void SceneTable::particleSets(std::string_view key, const Sheet& sheet, std::vec
   if (value == nullptr) return;
   const toml::array* array = value->as_array();
   if (array == nullptr) refuseValue(*value);
-  for (const toml::node& element : *array) out.push_back(knownPlace(element, sheet));
+  std::set<std::string> names;  // a set of particles is listed once, however often it is named
+  for (const toml::node& element : *array) {
+    const bool isNew = !element.is_string() || names.insert(element.ref<std::string>()).second;
+    out.push_back(isNew ? knownPlace(element, sheet) : place(element));
+  }
 }
 
 void SceneTable::particleSetOrSets(std::string_view key, const Sheet& sheet, std::vector<Place>& out) {

@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <string>
+#include <string_view>
 
 #include "util/suggestion.h"
 
@@ -92,7 +95,9 @@ Vec3 Sheet::startPosition(int particle) const {
 
 Sheet makeSheet(const Scene& scene) {
   Sheet sheet{scene.columns, scene.rows, scene.spacing, scene.particleMass, scene.start, {}};
+  std::set<std::string_view> names;  // a set of particles is listed once, however often it is named
   for (const Place& pin : scene.pins) {
+    if (!pin.name.empty() && !names.insert(pin.name).second) continue;
     const std::vector<int> particles = particlesAt(sheet, pin);
     sheet.pins.insert(sheet.pins.end(), particles.begin(), particles.end());
   }

@@ -1,4 +1,5 @@
-// A scene's pushes begin and end at times, those made by hand at ticks; both do work while they act.
+// A scene's pushes begin and end at times, those made by hand at ticks; both do work while they act. A scene may have
+// many of them: their edges are sorted once and passed one by one, so that only those that act cost anything.
 #include "core/simulation/pushes.h"
 
 #include <algorithm>
@@ -15,10 +16,9 @@ bool isPinned(const Sheet& sheet, int particle) { return std::ranges::binary_sea
 
 }  // namespace
 
-bool Pushes::Push::actsAt(const Instant& now) const {
-  if (const auto* ticks = std::get_if<Ticks>(&when)) return ticks->first <= now.tick && now.tick < ticks->end;
-  const auto& times = std::get<Times>(when);
-  return now.isWithin(times.begin, times.end - times.begin);
+bool Pushes::ScenePush::actsAt(const Instant& now) const {
+  const double soon = now.time + now.sameTime;
+  return begin <= soon && soon < end;
 }
 
 double Pushes::Push::workUpTo(const Vec3& here) const {
@@ -27,82 +27,107 @@ double Pushes::Push::workUpTo(const Vec3& here) const {
 }
 
 Pushes::Pushes(const Scene& scene, const Sheet& sheet) {
+  std::vector<Edge> edges;
   for (const tyg::Push& push : scene.pushes) {
-    const int particle = particleAt(sheet, push.particle);
-    pushes_.push_back({.particle = particle,
-                       .force = push.force,
-                       .when = Times{push.at, push.at + push.duration},
-                       .isIgnored = isPinned(sheet, particle)});
+    const int index = int(ofScene_.size());
+    ScenePush& own = ofScene_.emplace_back();
+    own.particle = particleAt(sheet, push.particle);
+    own.force = push.force;
+    own.isIgnored = isPinned(sheet, own.particle);
+    own.begin = push.at, own.end = push.at + push.duration;
+    edges.push_back({own.begin, index});
+    edges.push_back({own.end, index});
   }
+  std::ranges::stable_sort(edges, {}, &Edge::time);
+  edges_ = std::make_shared<const std::vector<Edge>>(std::move(edges));
 }
 
 void Pushes::add(const Sheet& sheet, int particle, const Vec3& force, std::int64_t firstTick, std::int64_t endTick) {
-  pushes_.push_back({.particle = particle,
-                     .force = force,
-                     .when = Ticks{firstTick, endTick},
-                     .isIgnored = isPinned(sheet, particle)});
+  HandPush& push = byHand_.emplace_back();
+  push.particle = particle;
+  push.force = force;
+  push.isIgnored = isPinned(sheet, particle);
+  push.first = firstTick, push.end = endTick;
+}
+
+void Pushes::turn(Push& push, const Backend& backend) {
+  const Vec3 here = backend.position(push.particle);
+  if (push.acting) finishedWork_ += push.workUpTo(here);
+  push.from = here;
+  push.acting = !push.acting;
+}
+
+bool Pushes::switchOfScene(const Instant& now, const Backend& backend) {
+  bool jump = false;
+  for (; passed_ < edges_->size() && (*edges_)[passed_].time <= now.time + now.sameTime; ++passed_) {
+    const int index = (*edges_)[passed_].push;
+    ScenePush& push = ofScene_[std::size_t(index)];
+    if (push.actsAt(now) == push.acting) continue;
+    jump = true;
+    turn(push, backend);
+    const auto place = std::ranges::lower_bound(acting_, index);
+    push.acting ? acting_.insert(place, index) : acting_.erase(place);
+  }
+  return jump;
+}
+
+bool Pushes::switchByHand(const Instant& now, const Backend& backend) {
+  bool jump = false;
+  for (HandPush& push : byHand_) {
+    if (push.actsAt(now) == push.acting) continue;
+    jump = true;
+    turn(push, backend);
+  }
+  if (jump) std::erase_if(byHand_, [&](const HandPush& push) { return push.end <= now.tick; });
+  return jump;
 }
 
 bool Pushes::switchAt(const Instant& now, const Backend& backend) {
-  bool jump = false;
-  for (Push& push : pushes_) {
-    if (push.actsAt(now) == push.acting) continue;
-    jump = true;
-    const Vec3 here = backend.position(push.particle);
-    if (push.acting) finishedWork_ += push.workUpTo(here);
-    push.from = here;
-    push.acting = !push.acting;
-  }
-  if (!jump) return false;
-  std::erase_if(pushes_, [&](const Push& push) {
-    const auto* ticks = std::get_if<Ticks>(&push.when);
-    return ticks != nullptr && ticks->end <= now.tick;
-  });
-  return true;
+  const bool ofScene = switchOfScene(now, backend), byHand = switchByHand(now, backend);
+  return ofScene || byHand;
 }
 
-void Pushes::applyTo(Backend& backend) const {
-  backend.clearPushes();
-  for (const Push& push : pushes_) {
-    if (push.acting) backend.addPush(push.particle, push.force);
+template <class Visit>
+void Pushes::forActing(const Visit& visit) const {
+  for (const int index : acting_) visit(ofScene_[std::size_t(index)]);
+  for (const HandPush& push : byHand_) {
+    if (push.acting) visit(push);
   }
+}
+
+/// In the order of their particles, in which the backend keeps them; those of one particle stay in theirs.
+void Pushes::applyTo(Backend& backend) const {
+  std::vector<const Push*> acting;
+  forActing([&](const Push& push) { acting.push_back(&push); });
+  if (!std::ranges::is_sorted(acting, {}, &Push::particle)) std::ranges::stable_sort(acting, {}, &Push::particle);
+  backend.clearPushes();
+  for (const Push* push : acting) backend.addPush(push->particle, push->force);
 }
 
 double Pushes::forcing(const Scene& scene, const Sheet& sheet) const {
   const double mass = sheet.particleMass;
   const Vec3 steady = steadyForce(scene);
   double root = std::sqrt(sheet.count() * dot(steady, steady) / mass);
-  for (const Push& push : pushes_) {
-    if (push.acting) root += std::sqrt(dot(push.force, push.force) / mass);  // a sum is no longer than its vectors
-  }
+  forActing([&](const Push& push) {
+    root += std::sqrt(dot(push.force, push.force) / mass);  // a sum is no longer than its vectors
+  });
   return root * root;
 }
 
 double Pushes::work(const Backend& backend) const {
   double sum = finishedWork_;
-  for (const Push& push : pushes_) {
-    if (push.acting) sum += push.workUpTo(backend.position(push.particle));
-  }
+  forActing([&](const Push& push) { sum += push.workUpTo(backend.position(push.particle)); });
   return sum;
 }
 
 double Pushes::nextEdge(const Instant& now, double end) const {
-  double next = end;
-  for (const Push& push : pushes_) {
-    const auto* times = std::get_if<Times>(&push.when);
-    if (times == nullptr) continue;
-    for (const double edge : {times->begin, times->end}) {
-      if (edge > now.time + now.sameTime && edge < next - now.sameTime) next = edge;
-    }
-  }
-  return next;
+  const auto next = std::ranges::upper_bound(*edges_, now.time + now.sameTime, {}, &Edge::time);
+  return next != edges_->end() && next->time < end - now.sameTime ? next->time : end;
 }
 
 std::int64_t Pushes::ticksToEdge(std::int64_t tick, std::int64_t most) const {
-  for (const Push& push : pushes_) {
-    const auto* ticks = std::get_if<Ticks>(&push.when);
-    if (ticks == nullptr) continue;
-    for (const std::int64_t edge : {ticks->first, ticks->end}) {
+  for (const HandPush& push : byHand_) {
+    for (const std::int64_t edge : {push.first, push.end}) {
       if (edge > tick) most = std::min(most, edge - tick);
     }
   }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <variant>
+#include <memory>
 #include <vector>
 
 #include "core/simulation/backend.h"
@@ -35,31 +35,49 @@ class Pushes {
   [[nodiscard]] double nextEdge(const Instant& now, double end) const;
   /// Ticks until a push by hand begins or ends, or `most` where none does before.
   [[nodiscard]] std::int64_t ticksToEdge(std::int64_t tick, std::int64_t most) const;
-  [[nodiscard]] std::size_t bytes() const { return pushes_.size() * sizeof(Push); }
+  [[nodiscard]] std::size_t bytes() const {
+    return ofScene_.size() * (sizeof(ScenePush) + sizeof(int)) + byHand_.size() * sizeof(HandPush);
+  }
 
  private:
-  /// When a push of the scene acts: from `begin` on, until `end`, s.
-  struct Times {
-    double begin = 0, end = 0;
-  };
-  /// When a push by hand acts: in the ticks [first, end).
-  struct Ticks {
-    std::int64_t first = 0, end = 0;
-  };
   struct Push {
     int particle = 0;
     Vec3 force;
-    std::variant<Times, Ticks> when;
     bool acting = false;
     Vec3 from{};             ///< where the particle was when the push began to act
     bool isIgnored = false;  ///< by a pinned particle, which moves as it does
 
-    [[nodiscard]] bool actsAt(const Instant& now) const;
     [[nodiscard]] double workUpTo(const Vec3& here) const;
   };
+  /// Acts from `begin` on, until `end`, s.
+  struct ScenePush : Push {
+    double begin = 0, end = 0;
+    [[nodiscard]] bool actsAt(const Instant& now) const;
+  };
+  /// Acts in the ticks [first, end).
+  struct HandPush : Push {
+    std::int64_t first = 0, end = 0;
+    [[nodiscard]] bool actsAt(const Instant& now) const { return first <= now.tick && now.tick < end; }
+  };
+  /// Where a push of the scene begins or ends.
+  struct Edge {
+    double time = 0;  // s
+    int push = 0;
+  };
 
-  std::vector<Push> pushes_;
-  double finishedWork_ = 0;  // J
+  void turn(Push& push, const Backend& backend);
+  bool switchOfScene(const Instant& now, const Backend& backend);
+  bool switchByHand(const Instant& now, const Backend& backend);
+  /// Those of the scene first, in its order, then those by hand.
+  template <class Visit>
+  void forActing(const Visit& visit) const;
+
+  std::vector<ScenePush> ofScene_;
+  std::vector<HandPush> byHand_;                    // until they end
+  std::shared_ptr<const std::vector<Edge>> edges_;  // by time; the same for all copies
+  std::size_t passed_ = 0;                          // of the edges
+  std::vector<int> acting_;                         // of the scene, ascending
+  double finishedWork_ = 0;                         // J
 };
 
 }  // namespace tyg

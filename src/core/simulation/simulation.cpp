@@ -5,10 +5,19 @@
 #include <fmt/core.h>
 
 #include "core/forces/term.h"
+#include "core/scene/scene_range.h"
 #include "core/simulation/live_parameters.h"
 #include "core/simulation/simulation_impl.h"
 
 namespace tyg {
+namespace {
+
+Scene withinRange(Scene scene) {
+  refuseExtremes(scene);
+  return scene;
+}
+
+}  // namespace
 
 std::string_view nameOf(Status status) {
   switch (status) {
@@ -22,7 +31,7 @@ std::string_view nameOf(Status status) {
 }
 
 Simulation::Impl::Impl(Scene wanted, const Method& method, const Settings& asked)
-    : scene(std::move(wanted)),
+    : scene(withinRange(std::move(wanted))),
       startScene(scene),
       sheet(makeSheet(scene)),
       settings(asked),

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/forces/parameter.h"
+#include "core/scene/scene_range.h"
 #include "core/simulation/simulation_impl.h"
 #include "util/text.h"
 
@@ -51,6 +52,7 @@ void Simulation::Impl::perform(const WorldEvent& change, std::span<const Method>
   const double mechanical = run.energies.mechanical(backend->energy());
   parameter->set(scene, change.value);
   try {
+    refuseExtremeParameters(scene);
     backend->useLiveParameters();
   } catch (...) {
     parameter->set(scene, before);

@@ -65,10 +65,12 @@ struct Simulation::Impl {
   [[nodiscard]] bool stepsFreely() const { return run.method->adaptive && scene.tolerance > 0; }
   [[nodiscard]] bool halted() const;
   [[nodiscard]] std::int64_t stepsToCheck() const;
+  [[nodiscard]] std::int64_t stepsToQuestion() const;
   [[nodiscard]] double nextEdge(double end) const;
   [[nodiscard]] std::int64_t plainTicks(std::int64_t most) const;
   void switchWhatActs();
   void finishSteps(double h, int count, double timeAfter);
+  void askObserver();
   void advance(std::int64_t steps, StepTimes times, double end);
   void advanceFreely(double stop);
   void advanceSegment(double stop);

@@ -12,6 +12,10 @@ namespace {
 
 constexpr double kSameTime = 1e-9;  // of dt: stop times closer than this are one
 constexpr std::int64_t kStepsBetweenChecks = 64;
+/// Evaluations of all particles between two questions to the observer: a tenth of a second.
+constexpr std::int64_t kWorkBetweenQuestions = std::int64_t{1} << 24;
+/// Fused steps need as many at once to keep two threads in step.
+constexpr std::int64_t kFewestFused = 16;
 
 /// Whether the method takes as much energy from fast waves as their damping does, about. A method that stays stable
 /// however large the damping is takes less.
@@ -27,6 +31,19 @@ bool Simulation::Impl::halted() const {
 }
 
 std::int64_t Simulation::Impl::stepsToCheck() const { return kStepsBetweenChecks - run.steps % kStepsBetweenChecks; }
+
+/// Up to the next energy check, but for large sheets no more than the observer can wait for.
+std::int64_t Simulation::Impl::stepsToQuestion() const {
+  if (!observer) return stepsToCheck();
+  const int evaluations = run.method->evaluationsPerStep;
+  const std::int64_t work = std::int64_t{sheet.count()} * std::max(evaluations, 1);
+  const std::int64_t fewest = evaluations == 1 ? kFewestFused : 1;
+  return std::min(stepsToCheck(), std::max(fewest, kWorkBetweenQuestions / work));
+}
+
+void Simulation::Impl::askObserver() {
+  if (observer && !observer()) stopAsked = true;
+}
 
 /// Times closer than a billionth of dt are the same. Where dt is longer than the run it is a billionth of the run
 /// instead: a billionth of a huge dt could be longer than the run, and all of its times would be the same.
@@ -56,20 +73,23 @@ void Simulation::Impl::finishSteps(double h, int count, double timeAfter) {
   run.largestStep = std::max(run.largestStep, h);
   run.steps += count;
   run.energies.expect(forcing, h);
-  if (run.steps % kStepsBetweenChecks != 0) return;
+  if (run.steps % kStepsBetweenChecks != 0) {
+    if (stepsToQuestion() < stepsToCheck()) askObserver();
+    return;
+  }
   // Steps of a method's own choice let fast waves jitter within the tolerance.
   const bool keepsTheBalance = !stepsFreely() && takesWhatDampingTakes(*run.method);
   const Power power = keepsTheBalance ? backend->power(timeAfter) : powerToSupply();
   run.supply.check(power, timeAfter);
   run.energies.lose(keepsTheBalance ? power.lost : 0, timeAfter);
   run.energies.check(sample());
-  if (observer && !observer()) stopAsked = true;
+  askObserver();
 }
 
 /// `steps` steps, the first of which begins now, and the last of which ends at `end`.
 void Simulation::Impl::advance(std::int64_t steps, StepTimes times, double end) {
   for (std::int64_t done = 0; done < steps && !halted();) {
-    const auto some = std::min(steps - done, stepsToCheck());
+    const auto some = std::min(steps - done, stepsToQuestion());
     backend->steps(times, int(some));
     done += some;
     times.first += some;
@@ -125,7 +145,7 @@ void Simulation::Impl::runTick() {
 /// How many of the next ticks, up to `most`, are one step each with nothing beginning or ending after the first.
 std::int64_t Simulation::Impl::plainTicks(std::int64_t most) const {
   if (stepsFreely()) return 0;
-  most = run.replay.ticksToNext(run.clock.ticks(), std::min(most, stepsToCheck()));
+  most = run.replay.ticksToNext(run.clock.ticks(), std::min(most, stepsToQuestion()));
   most = run.pushes.ticksToEdge(run.clock.ticks(), most);
   // Half a tick away from the edge of a scene's push there is no doubt about the tick that it lies in.
   const double edge = nextEdge(run.clock.tickEnd(most)) - run.clock.dt() / 2;

@@ -60,6 +60,7 @@ int cheapestThreads(const Scene& scene, const AdvicePlan& plan) {
 }
 
 Task taskOf(const Scene& scene, const AdvicePlan& plan) {
+  refuseEndlessReference(scene);
   return {.scene = scene,
           .plan = plan,
           .size = makeSheet(scene).size(),

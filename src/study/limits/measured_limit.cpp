@@ -68,10 +68,13 @@ std::optional<bool> survives(const Scene& scene, const Method& method, const Mea
 }
 
 double measuredLimit(const Scene& scene, const Method& method, const MeasurePlan& plan) {
+  if (!(plan.begin > 0) || !std::isfinite(plan.begin)) return kUnknown;
+  constexpr int kMostTries = 100;  // a dozen are usual
+  int tries = 0;
   double held = 0, failed = 0;
   Outcome outcome = Outcome::Unknown;
   const auto attempt = [&](double step) {
-    outcome = tried(step, scene, method, plan);
+    outcome = ++tries > kMostTries ? Outcome::Unknown : tried(step, scene, method, plan);
     (outcome == Outcome::Held ? held : failed) = step;
   };
   attempt(plan.begin);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <numbers>
@@ -15,15 +16,16 @@ namespace {
 /// Goes downhill from `best` in strides that shrink. The error of the value is of second order in the last stride.
 LowestWave refined(const WaveFunction& function, LowestWave best, double stride) {
   constexpr double kLastStride = 1e-4;
+  constexpr int kMostMoves = 10000;  // hundreds are usual
   const auto inside = [](double q) { return std::clamp(q, 0.0, std::numbers::pi); };
-  while (stride > kLastStride) {
+  for (int move = 0; stride > kLastStride && move < kMostMoves; ++move) {
     LowestWave next = best;
     for (const auto& [dx, dy] : {std::array{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}) {
       const double qx = inside(best.qx + dx * stride), qy = inside(best.qy + dy * stride);
       const double here = function(qx, qy);
       if (here < next.value) next = {qx, qy, here};
     }
-    if (next.value == best.value) stride /= 2;
+    if (!(next.value < best.value)) stride /= 2;
     best = next;
   }
   return best;
@@ -69,7 +71,12 @@ class WaveGrid {
 
 }  // namespace
 
-LowestWave lowestWave(const Lattice& lattice, const WaveFunction& function) {
+LowestWave lowestWave(const Lattice& lattice, const WaveFunction& values) {
+  // What is no number is nowhere lowest: comparing it would neither sort the valleys nor end the descent.
+  const WaveFunction function = [&](double qx, double qy) {
+    const double value = values(qx, qy);
+    return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
+  };
   std::vector<LowestWave> valleys = WaveGrid(lattice, function).valleys();
   // The deepest few: a shallow valley does not become the deepest one between two grid points.
   constexpr std::size_t kStarts = 4;

@@ -17,7 +17,7 @@ struct LowestWave {
 
 /// The smallest value of a continuous function over all waves of the lattice; phases of a direction the lattice does
 /// not have stay 0. A grid of 17 phases an axis finds the valleys, from the deepest of which a descent goes on to
-/// strides of 1e-4.
-LowestWave lowestWave(const Lattice& lattice, const WaveFunction& function);
+/// strides of 1e-4. A wave whose value is NaN counts as infinite.
+LowestWave lowestWave(const Lattice& lattice, const WaveFunction& values);
 
 }  // namespace tyg

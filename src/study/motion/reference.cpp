@@ -178,8 +178,19 @@ double Reference::horizonOf(double error, Precision precision) const {
   return horizon;
 }
 
+void refuseEndlessReference(const Scene& scene) {
+  constexpr double kMostReferenceSteps = 1e8;  // of one particle alone they take a minute
+  const double limit = restLatticeLimit(scene, findMethod("dopri54")), steps = scene.duration / limit;
+  if (!(steps > kMostReferenceSteps)) return;
+  throw InputError(
+      fmt::format("{}: found springs, damping and mass that hold dopri54 to steps of {:.1g} s, {:.1g} of them for a "
+                  "motion to measure errors against; allowed are scenes that need {:g} at most",
+                  scene.name, limit, steps, kMostReferenceSteps));
+}
+
 Reference makeReference(const Scene& scene, int threads, const std::function<bool(double)>& observer,
                         const ReferenceAim& aim) {
+  refuseEndlessReference(scene);
   Reference reference;
   reference.size = makeSheet(scene).size();
   reference.scene = referenceScene(scene, reference.size, aim.tolerance);

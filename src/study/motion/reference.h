@@ -59,8 +59,12 @@ struct ReferenceAim {
   double patience = 8;  ///< the second opinion makes at most so many times the reference's evaluations
 };
 
-/// Computes a scene's reference over its whole duration. `observer` gets the fraction done and may return false to
-/// stop.
+/// Throws InputError where a scene's springs or dampers hold the adaptive method to steps so small that nobody could
+/// wait for an exact motion.
+void refuseEndlessReference(const Scene& scene);
+
+/// Computes a scene's reference over its whole duration. Throws InputError as refuseEndlessReference() does. `observer`
+/// gets the fraction done and may return false to stop.
 Reference makeReference(const Scene& scene, int threads, const std::function<bool(double fraction)>& observer,
                         const ReferenceAim& aim = {});
 

@@ -144,9 +144,16 @@ void ChartPlot::chooseAxes(const Contents& contents, const SettingEstimate& esti
 
 namespace {
 
+/// The power of ten of a number, within those that numbers have: a loop over decades ends whatever it is of.
+double decadeOf(double number) {
+  constexpr double kLowest = -330, kHighest = 310;
+  const double decade = std::log10(number);
+  return std::isnan(decade) ? 0 : std::clamp(decade, kLowest, kHighest);
+}
+
 /// First and last decade of an axis of whole decades.
 std::pair<int, int> decadesOf(const LogAxis& axis) {
-  return {int(std::lround(std::log10(axis.low))), int(std::lround(std::log10(axis.high)))};
+  return {int(std::lround(decadeOf(axis.low))), int(std::lround(decadeOf(axis.high)))};
 }
 
 }  // namespace
@@ -199,8 +206,9 @@ void ChartPlot::drawErrorTicks(const Layout& layout) {
                 text.c_str());
   }
   const double size = 1e3 * layout.scale.size;  // mm
-  const auto lowest = int(std::ceil(std::log10(layout.error.low / size)));
-  for (int decade = lowest; size * std::pow(10.0, decade) <= layout.error.high; decade += every) {
+  const auto lowest = int(std::ceil(decadeOf(layout.error.low / size)));
+  const auto highest = int(std::floor(decadeOf(layout.error.high / size)));
+  for (int decade = lowest; decade <= highest; decade += every) {
     const float y = layout.y(size * std::pow(10.0, decade));
     const std::string text = decadeText(decade);
     layout.list.AddLine({layout.right, y}, {layout.right + 0.3F * layout.small(), y}, ink);
