@@ -159,7 +159,6 @@ struct LaneMath {
   TYG_INLINE static Lanes<T> all(T number) { return Lanes<T>{} + number; }
   TYG_INLINE static Vec<T> all3(const T (&numbers)[3]) { return {all(numbers[0]), all(numbers[1]), all(numbers[2])}; }
   TYG_INLINE static Vec<T> none() { return {all(0), all(0), all(0)}; }
-  TYG_INLINE static Lanes<T> tiny() { return all(kTiny<T>); }
   TYG_INLINE static Lanes<T> root(const Lanes<T>& a) { return squareRoots<T>(a); }
   TYG_INLINE static Lanes<T> size(const Lanes<T>& a) { return a < 0 ? -a : a; }
   /// The nearest whole number to one far below 1 / epsilon: what is left after adding a number of which only whole

@@ -5,6 +5,7 @@
 // particle would need rows that a pass in place has already moved.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/forces/terms/term_list.h"
@@ -29,7 +30,8 @@ struct AirTerm {
   };
   template <class T>
   struct Numbers {
-    T factor = 0;                                                    ///< rho C / 16, kg/m3
+    T factor = 0;    ///< rho C / 16, kg/m3
+    T tinyArea = 0;  ///< m4, keeps a cell without area from dividing by zero
     const Blowing<T>*firstBlowing = nullptr, *endBlowing = nullptr;  ///< of the moment
   };
   /// What changes from moment to moment.
@@ -39,8 +41,10 @@ struct AirTerm {
   };
 
   template <class T>
-  static Numbers<T> numbersOf(const Scene& scene, const Sheet& /*sheet*/) {
-    return {T(scene.air.density * scene.air.coefficient / 16), nullptr, nullptr};
+  static Numbers<T> numbersOf(const Scene& scene, const Sheet& sheet) {
+    constexpr double kTiny = sizeof(T) == sizeof(float) ? 1e-12 : 1e-20;  // a share of a cell's area, squared
+    return {T(scene.air.density * scene.air.coefficient / 16),
+            T(kTiny * sheet.spacing * sheet.spacing * sheet.spacing * sheet.spacing), nullptr, nullptr};
   }
   /// The winds of the scene, all of which blow, at this time (s). Allocates nothing for as many winds as before.
   template <class T>
@@ -63,9 +67,9 @@ struct AirTerm {
     }
     const Vector past = wind - quarter * ((v.here + v.right) + (v.below + v.belowRight));
     const Vector twiceArea = math.cross(x.belowRight - x.here, x.below - x.right);
-    const auto through = math.dot(past, twiceArea) / math.root(math.dot(twiceArea, twiceArea) + math.tiny());
-    const auto speed = math.root(math.dot(past, past) + math.tiny());
-    return {(math.all(numbers.factor) * (speed * through)) * twiceArea, wind, past};
+    // |u| (u.A) / |A| with one root
+    const auto ratio = math.dot(past, past) / (math.dot(twiceArea, twiceArea) + math.all(numbers.tinyArea));
+    return {(math.all(numbers.factor) * (math.dot(past, twiceArea) * math.root(ratio))) * twiceArea, wind, past};
   }
   template <class Math, class Vector, class T>
   [[gnu::always_inline]] static Vector cornerForce(const Math& math, const Corners<Vector>& x, const Corners<Vector>& v,
@@ -80,31 +84,24 @@ struct AirTerm {
                               const Numbers<T>& numbers) {
     const Vector twiceArea = math.cross(x.belowRight - x.here, x.below - x.right);
     const Vector past = onCell(math, x, v, numbers).past;
-    const auto speed = math.root(math.dot(past, past)), size = math.root(math.dot(twiceArea, twiceArea) + math.tiny());
+    const auto speed = math.root(math.dot(past, past));
+    const auto size = math.root(math.dot(twiceArea, twiceArea) + math.all(numbers.tinyArea));
     return (math.all(T(0.5)) * math.root(math.all(numbers.factor) * speed / size)) * twiceArea;
   }
 
   /// W that the air takes from the cells below a row and from the wind, and W that the wind brings.
   template <class Row>
-  static double powerIn(const Row& row, const Numbers<double>& numbers) {
-    return power(row, numbers, &OnCell<typename Row::Vector>::past);
-  }
-  template <class Row>
-  static double supplyIn(const Row& row, const Numbers<double>& numbers) {
-    return power(row, numbers, &OnCell<typename Row::Vector>::wind);
-  }
-
- private:
-  template <class Row, class Velocity>
-  [[gnu::always_inline]] static double power(const Row& row, const Numbers<double>& numbers, Velocity velocity) {
-    if (!(numbers.factor > 0)) return 0;
+  static std::array<double, 2> powersIn(const Row& row, const Numbers<double>& numbers) {
+    if (!(numbers.factor > 0)) return {};
     const auto math = row.math();
-    return 4 * row.sumOverCells([&](const auto& x, const auto& v) {
+    const auto four = math.all(4);
+    return row.sumsOverCells([&](const auto& x, const auto& v) {
       const auto air = onCell(math, x, v, numbers);
-      return math.dot(air.corner, air.*velocity);
+      return std::array{four * math.dot(air.corner, air.past), four * math.dot(air.corner, air.wind)};
     });
   }
 
+ private:
   /// velocity + gust s(p), p = phase - wave.x, s of period 1, mean 0 and amplitude 1, three times continuously
   /// differentiable: s(p) = 2 S7(1 - 2 |p - round(p)|) - 1, S7(q) = q^4 (35 - 84 q + 70 q^2 - 20 q^3).
   template <class Math, class Vector, class T>
