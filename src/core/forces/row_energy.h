@@ -96,7 +96,6 @@ struct EightMath {
   TYG_INLINE static EightVectors all3(const double (&numbers)[3]) {
     return {all(numbers[0]), all(numbers[1]), all(numbers[2])};
   }
-  TYG_INLINE static EightVectors none() { return {all(0), all(0), all(0)}; }
   TYG_INLINE static Eight root(const Eight& a) { return squareRoots(a); }
   TYG_INLINE static Eight size(const Eight& a) { return larger(a, -a); }
   TYG_INLINE static Eight nearestWhole(const Eight& a) {
