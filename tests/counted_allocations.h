@@ -1,4 +1,4 @@
-// Counts what a test program allocates: every form of new in the standard library ends in one of the two here.
+// Counts what a test program allocates: every form of new in the standard library ends in one of these.
 // For one source file of a program alone.
 #pragma once
 
@@ -10,11 +10,15 @@ namespace {
 std::atomic<long> allocations{0};
 }
 
-#pragma GCC diagnostic ignored "-Wmismatched-new-delete"  // GCC does not see that these two belong together
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"  // GCC does not see that these belong together
 void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {  // of std::stable_sort
+  ++allocations;
+  return std::malloc(size);
 }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   ++allocations;
@@ -23,6 +27,7 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
   throw std::bad_alloc();
 }
 void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
