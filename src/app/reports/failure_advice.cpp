@@ -192,12 +192,6 @@ std::string limitAdvice(const Simulation& simulation, const StepLimit& said, dou
 std::string failureAdvice(const FinishedRun& run) {
   const Simulation& simulation = run.simulation;
   const Scene& scene = simulation.scene();
-  if (simulation.steps() == 0 && simulation.status() == Status::NotFinite) {
-    return fmt::format(
-        "the cloth is not finite at the start: its coordinates, or the energy of its springs, are beyond the range of "
-        "{}. Allowed are sizes and forces whose squares are numbers{}.",
-        nameOf(scene.precision), scene.precision == Precision::Float ? "; --precision double allows larger ones" : "");
-  }
   Ways ways(run);
   if (wasHalted(run)) return haltAdvice(simulation, ways);
   const Method& method = simulation.method();
