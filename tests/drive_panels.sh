@@ -61,7 +61,7 @@ xdotool type --delay 150 10
 few_frames
 [[ $integrator == rk4 ]] || fail "a number typed into a field chose a method"
 hold Return
-picks 105 || fail "the middle of 10x20 particles is 105, not $picked"
+picks 55 || fail "the middle of 10x10 particles is 55, not $picked: rows follow columns"
 [[ $sim_s == 0 ]] || fail "another sheet does not start anew"
 
 click 270 122

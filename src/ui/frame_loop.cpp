@@ -6,13 +6,10 @@
 #include <exception>
 #include <filesystem>
 
-#include <fmt/core.h>
 #include <imgui.h>
 
-#include "ui/overlay.h"
 #include "util/calibration_clock.h"
 #include "util/interrupt.h"
-#include "util/visible_text.h"
 
 namespace tyg {
 namespace {
@@ -25,58 +22,28 @@ constexpr int kFramesToSettle = 4;
 /// Frames come no faster than this where the screen sets no rhythm, s.
 constexpr double kShortestFrame = 1.0 / 250;
 
-std::string titleOf(const Scene& scene) { return "Tyg: " + oneLine(scene.title); }
-
-std::unique_ptr<Window> openWindow(const FrameLoopOptions& options, const std::string& title) {
-  const WindowOptions wanted{.title = title, .size = options.size};
-  return options.library == WindowLibrary::Glut ? openGlutWindow(wanted) : openGlfwWindow(wanted);
-}
-
 }  // namespace
 
-FrameLoop::FrameLoop(const FrameLoopOptions& options, Viewer& viewer)
+FrameLoop::FrameLoop(OpeningWindow& opening, Viewer& viewer, const std::optional<std::string>& log)
     : viewer_(viewer),
-      window_(openWindow(options, titleOf(viewer.scenes().scene()))),
+      window_(opening.window()),
+      imgui_(opening.imgui()),
       painter_(viewer),
-      imgui_(*window_, options.uiScale),
       hud_(imgui_.fonts()),
       panels_(imgui_.fonts().size, viewer),
       capture_(std::filesystem::current_path()),
       router_(windowRouter(panels_, hud_, capture_, viewer)),
-      hints_(options.log ? std::nullopt : hintsFile()),
-      log_(options.log ? std::make_unique<ViewLog>(*options.log) : nullptr),
-      title_(titleOf(viewer.scenes().scene())),
+      hints_(log ? std::nullopt : hintsFile()),
+      log_(log ? std::make_unique<ViewLog>(*log) : nullptr),
+      title_(windowTitle(viewer.scenes().scene())),
       opened_(wallClock()),
       stale_(kFramesToSettle) {}
 
-/// The first picture of a large sheet takes long: until then the window says so.
-void FrameLoop::announceSetUp() {
-  constexpr int kSlow = 512 * 512;  // particles
-  const Sheet& sheet = viewer_.run().simulation().sheet();
-  if (sheet.count() <= kSlow) return;
-  const std::string words =
-      fmt::format("Preparing the picture of {} x {} particles. This may take a minute.", sheet.columns, sheet.rows);
-  for (int frame = 0; frame < kFramesToSettle; ++frame) {
-    for (const WindowEvent& event : window_->events(0)) (void)router_.route(event);
-    imgui_.beginFrame();
-    const ImVec2 corner = ImGui::GetIO().DisplaySize;
-    const TextFonts& fonts = imgui_.fonts();
-    const TextWriter writer{ImGui::GetBackgroundDrawList(), fonts.text, fonts.size, Background::Light};
-    writer.list->AddRectFilled({0, 0}, corner, IM_COL32_WHITE);
-    const float wrap = 0.8F * corner.x;
-    const ImVec2 extent = writer.extent(words, wrap);
-    writer.write({0.5F * (corner.x - extent.x), 0.5F * (corner.y - extent.y)}, IM_COL32_BLACK, words, wrap);
-    ImGuiSession::endFrame();
-    window_->swap();
-  }
-}
-
 std::string FrameLoop::run() {
-  announceSetUp();
-  while (!window_->closeRequested() && !viewer_.leaving() && !interrupted()) {
+  while (!window_.closeRequested() && !viewer_.leaving() && !interrupted()) {
     const double began = wallClock();
     takeEvents();
-    viewer_.resize(window_->framebuffer(), insets());
+    viewer_.resize(window_.framebuffer(), insets());
     const bool moving = !viewer_.idle() || panels_.busy() || capture_.busy();
     viewer_.frame();
     panels_.follow(viewer_);
@@ -99,27 +66,26 @@ void FrameLoop::takeEvents() {
   const bool hidden = shown_ == Extent{};
   const double rest = log_ ? kIdleSeconds : kAsleepSeconds;
   const double patience = viewer_.idle() || hidden ? rest : spare_;
-  for (const WindowEvent& event :
-       window_->events(stale_ > 0 || panels_.busy() || capture_.busy() ? spare_ : patience)) {
+  for (const WindowEvent& event : window_.events(stale_ > 0 || panels_.busy() || capture_.busy() ? spare_ : patience)) {
     stale_ = kFramesToSettle;
     (void)router_.route(event);
   }
-  if (window_->framebuffer() != shown_) stale_ = kFramesToSettle;
+  if (window_.framebuffer() != shown_) stale_ = kFramesToSettle;
 }
 
 /// Where an edge has panels, they are there instead of the keys.
 Insets FrameLoop::insets() const {
-  const int keys = viewer_.view().showsHelp() ? hud_.keysWidth(window_->framebuffer()) : 0;
+  const int keys = viewer_.view().showsHelp() ? hud_.keysWidth(window_.framebuffer()) : 0;
   const auto at = [&](Edge edge) { return panels_.width(edge) > 0 ? static_cast<int>(panels_.width(edge)) : keys; };
   return {.left = at(Edge::Left), .right = at(Edge::Right), .beside = panels_.beside()};
 }
 
 void FrameLoop::show() {
-  shown_ = window_->framebuffer();
+  shown_ = window_.framebuffer();
   stale_ = std::max(0, stale_ - 1);
-  if (window_->closeRequested() || shown_.width <= 0 || shown_.height <= 0) return;
+  if (window_.closeRequested() || shown_.width <= 0 || shown_.height <= 0) return;
   draw();
-  window_->swap();
+  window_.swap();
 }
 
 /// Trouble while the cloth is drawn is shown by the text that is drawn over it.
@@ -140,9 +106,9 @@ void FrameLoop::draw() {
 }
 
 void FrameLoop::followTitle() {
-  std::string title = titleOf(viewer_.scenes().scene());
+  std::string title = windowTitle(viewer_.scenes().scene());
   if (title == title_) return;
-  window_->setTitle(title);
+  window_.setTitle(title);
   title_ = std::move(title);
 }
 

@@ -9,37 +9,27 @@
 #include "ui/cloth_painter.h"
 #include "ui/frame_capture.h"
 #include "ui/hud.h"
-#include "ui/imgui_session.h"
 #include "ui/input_router.h"
+#include "ui/opening_window.h"
 #include "ui/panels/panels.h"
-#include "ui/windows/window.h"
 #include "viewer/hints.h"
 #include "viewer/view_log.h"
 #include "viewer/viewer.h"
 
 namespace tyg {
 
-enum class WindowLibrary { Glfw, Glut };
-
-struct FrameLoopOptions {
-  WindowLibrary library = WindowLibrary::Glfw;
-  Extent size{1280, 720};          ///< pixels, > 0; the screen may give less
-  double uiScale = 1;              ///< > 0: of the text, on top of the screen's own scale
-  std::optional<std::string> log;  ///< a file for one CSV line a frame; a window with one shows no hints
-};
-
 class FrameLoop {
  public:
-  /// Opens the window. `viewer` must live as long as this does. Throws NoDisplay or WindowError, std::runtime_error
-  /// where the driver refuses the shaders, and InputError where the log cannot be written.
-  FrameLoop(const FrameLoopOptions& options, Viewer& viewer);
+  /// `opening` and `viewer` must live as long as this does. `log` is a file for one CSV line a frame; a window with one
+  /// shows no hints. Throws std::runtime_error where the driver refuses the shaders, and InputError where the log
+  /// cannot be written.
+  FrameLoop(OpeningWindow& opening, Viewer& viewer, const std::optional<std::string>& log);
 
   /// Until the window is closed, the person leaves, or the program is interrupted. Returns what is left to tell the
   /// person when the window is gone; empty: nothing.
   std::string run();
 
  private:
-  void announceSetUp();
   void takeEvents();
   [[nodiscard]] Insets insets() const;
   void show();
@@ -50,9 +40,9 @@ class FrameLoop {
   std::string endMovie();
 
   Viewer& viewer_;
-  std::unique_ptr<Window> window_;
+  Window& window_;
+  ImGuiSession& imgui_;
   ClothPainter painter_;
-  ImGuiSession imgui_;
   Hud hud_;
   Panels panels_;
   FrameCapture capture_;

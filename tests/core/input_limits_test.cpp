@@ -116,6 +116,24 @@ TEST(LargeScenes, WithThousandsOfPushesGiveTheWholeImpulse) {
   }
 }
 
+/// Two thousand of them act together, on every particle of the row, and begin in no order of the particles.
+TEST(LargeScenes, WithThousandsOfPushesAtOnceGiveEachParticleItsOwn) {
+  constexpr int kPushes = 8000, kColumns = 40;
+  constexpr double kFor = 0.2;  // s
+  Scene scene = emptyWorld(kColumns, 1);
+  scene.gravity = {};
+  scene.dt = 1;
+  for (int k = 0; k < kPushes; ++k) {
+    const int column = 17 * k % kColumns;
+    scene.pushes.push_back({{"", column, 0}, {1.0 + column, 0, 0}, 1e-4 * k, kFor});
+  }
+  Simulation simulation(scene, findMethod("symplectic-euler"));
+  simulation.advanceTo(1);
+  for (int column = 0; column < kColumns; ++column) {
+    EXPECT_NEAR(simulation.velocity(column).x * scene.particleMass, kPushes / kColumns * kFor * (1.0 + column), 1e-7);
+  }
+}
+
 /// Sixty-four steps of such a sheet, after which a small one asks, would take seconds.
 TEST(LargeSheets, AskTheirObserverEveryFewSteps) {
   Scene scene = emptyWorld(1024, 1024);

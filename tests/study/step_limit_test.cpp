@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/spectrum/rest_spectrum.h"
+#include "scaled_scene.h"
 #include "study/limits/stability.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
@@ -90,6 +91,20 @@ TEST(StepLimit, UnderTheAxialLawIsWithinFourPercentOfTheExactOne) {
       EXPECT_NEAR(restLatticeLimit(scene, method) / exact, 1, StepLimit::kBelowMeeting * kBelow) << name << " " << draw;
       EXPECT_LE(restLatticeLimit(scene, method), (1 + kExact) * exact) << name << " " << draw;
       EXPECT_NEAR(unbounded / exact, 1, kBelow) << name << " " << draw;
+    }
+  }
+}
+
+/// Its pins leave the sheet slow motions beside fast ones, whose roots are easily lost in rounding.
+TEST(StepLimit, OfASmallSheetIsTheSameInAnyUnitOfTime) {
+  Scene scene = loadScene("curtain");
+  scene.columns = scene.rows = 8;
+  for (const char* name : {"explicit-euler", "rk4", "bs32", "dopri54", "rkc2"}) {
+    const Method& method = findMethod(name);
+    const double expected = restLatticeLimit(scene, method);
+    for (const double time : {1e-6, 1e6}) {
+      const double found = restLatticeLimit(scaled(scene, {.time = time}), method) / time;
+      EXPECT_NEAR(found / expected, 1, kExact) << name << " " << time;
     }
   }
 }

@@ -47,6 +47,15 @@ class PanelsTest : public PanelsFixture {
     ImGui::GetIO().AddInputCharactersUTF8(text);
     frames(2);
   }
+  /// Into the fields of Control, from one to the next by Tab.
+  void typeSheet(const char* columns, const char* rows) {
+    restOnTheSheetsField();
+    click(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
+    ASSERT_TRUE(ImGui::GetIO().WantTextInput);
+    type(columns);
+    if (*rows != 0) tap(ImGuiKey_Tab), type(rows);
+    tap(ImGuiKey_Enter), frames();
+  }
 };
 
 TEST_F(PanelsTest, EveryPanelHasAKeyThatOpensAndClosesIt) {
@@ -271,13 +280,41 @@ TEST_F(PanelsTest, ATooltipOfAFieldComesAtRestAndGoesBySelf) {
   EXPECT_FALSE(panels_.busy());
 }
 
-TEST_F(PanelsTest, TabGoesFromColumnsToRowsAndAClampIsTold) {
+TEST_F(PanelsTest, TabGoesFromColumnsToRows) {
   panels_.toggle(InputAction::OpenControl), frames();
-  restOnTheSheetsField();
-  click(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
-  ASSERT_TRUE(ImGui::GetIO().WantTextInput);
-  type("7"), tap(ImGuiKey_Tab), type("900"), tap(ImGuiKey_Enter), frames();
+  typeSheet("7", "7");
   EXPECT_EQ(viewer_.scenes().scene().columns, 7);
+  EXPECT_EQ(viewer_.scenes().scene().rows, 7);
+}
+
+TEST_F(PanelsTest, OfColumnsAndRowsTheOneThatIsNotTypedFollows) {
+  viewer_.scenes().use(loadScene("hammock", methodNames()));
+  panels_.toggle(InputAction::OpenControl), frames();
+  typeSheet("12", "");
+  EXPECT_EQ(viewer_.scenes().scene().columns, 12);
+  EXPECT_EQ(viewer_.scenes().scene().rows, 8);
+}
+
+TEST_F(PanelsTest, OfColumnsAndRowsThatDoNotFitTheOneTypedLastRules) {
+  panels_.toggle(InputAction::OpenControl), frames();
+  typeSheet("7", "9");
+  EXPECT_EQ(viewer_.scenes().scene().columns, 9);
+  EXPECT_EQ(viewer_.scenes().scene().rows, 9);
+}
+
+TEST_F(PanelsTest, ASheetOfOtherSidesIsAnsweredWithTheNearestThatFits) {
+  viewer_.scenes().use(loadScene("chain", methodNames()));
+  panels_.toggle(InputAction::OpenControl), frames();
+  typeSheet("2", "");
+  EXPECT_EQ(viewer_.scenes().scene().columns, 1);
+  EXPECT_NE(viewer_.notes().text().find("the nearest of which is 1x20"), std::string::npos) << viewer_.notes().text();
+}
+
+TEST_F(PanelsTest, ACountBeyondTheMostBecomesTheMostAndIsTold) {
+  viewer_.scenes().use(loadScene("chain", methodNames()));
+  panels_.toggle(InputAction::OpenControl), frames();
+  typeSheet("1", "900");
+  EXPECT_EQ(viewer_.scenes().scene().columns, 1);
   EXPECT_EQ(viewer_.scenes().scene().rows, 512);
   EXPECT_EQ(viewer_.notes().text(), "rows: 512 is the most");
 }

@@ -31,12 +31,11 @@ struct ViewOptions {
   std::optional<std::string> log, record;
 };
 
-FrameLoopOptions loopOptions(const ViewOptions& options) {
+OpeningOptions openingOptions(const ViewOptions& options) {
   const auto [width, height] = parsePair(options.size);
   return {.library = options.window == "glut" ? WindowLibrary::Glut : WindowLibrary::Glfw,
           .size = {.width = width, .height = height},
-          .uiScale = options.uiScale.value_or(1),
-          .log = options.log};
+          .uiScale = options.uiScale.value_or(1)};
 }
 
 /// Xlib ends the program itself where its display has gone.
@@ -49,19 +48,24 @@ void sayAndKeep(const std::function<void()>& keep) {
   }
 }
 
-/// The window of a large sheet comes late, and nobody should wonder why.
-void saySetUp(const Scene& scene) {
-  constexpr int kSlow = 512 * 512;  // particles: beyond, it takes seconds
-  const int particles = scene.columns * scene.rows;
-  if (particles <= kSlow) return;
-  std::cerr << "tyg view: setting up " << particles << " particles; the window opens when they are there" << std::endl;
+int renderWithoutWindow(const ViewOptions& options, const Scene& scene, const NoDisplay& why) {
+  std::cerr << "tyg view: " << why.what() << "; drawing off-screen instead" << std::endl;
+  if (options.log || options.record)
+    std::cerr << "tyg view: without a window nothing is logged or recorded" << std::endl;
+  const auto [width, height] = parsePair(options.size);
+  RenderRequest like;
+  like.size = {width, height};
+  like.threads = options.scene.threads.value_or(0);
+  return renderInstead(scene, like);
 }
 
-int view(const ViewOptions& options) {
-  const Scene scene = chosenScene(options.scene);
-  if (options.log) checkWritable(*options.log);
-  if (options.record) checkWritable(*options.record);
-  saySetUp(scene);
+/// A window that cannot be opened, or a driver that refuses the shaders.
+int sayNoWindow(const std::runtime_error& why) {
+  std::cerr << "tyg view: " << why.what() << "; tyg render draws without a window" << std::endl;
+  return kSimulationFailed;
+}
+
+int show(const ViewOptions& options, const Scene& scene, OpeningWindow& opening) {
   Viewer viewer(scene, Settings{.threads = options.scene.threads.value_or(0)}, wallClock);
   bool kept = false;
   const auto keep = [&options, &kept](const EventLog& log) {
@@ -79,28 +83,33 @@ int view(const ViewOptions& options) {
   ignoreClosedPipes();  // whoever reads the messages may leave before the window does
   const AtExit recordFirst([&] { sayAndKeep(keepWhatRan); });
   try {
-    const std::string left = FrameLoop(loopOptions(options), viewer).run();
+    const std::string left = FrameLoop(opening, viewer, options.log).run();
     if (!left.empty()) std::cerr << "tyg view: " << left << std::endl;
-  } catch (const NoDisplay& error) {
-    std::cerr << "tyg view: " << error.what() << "; drawing off-screen instead" << std::endl;
-    if (options.log || options.record)
-      std::cerr << "tyg view: without a window nothing is logged or recorded" << std::endl;
-    const auto [width, height] = parsePair(options.size);
-    RenderRequest like;
-    like.size = {width, height};
-    like.threads = options.scene.threads.value_or(0);
-    return renderInstead(scene, like);
   } catch (const InputError&) {
     keepWhatRan();
     throw;
-  } catch (const std::runtime_error& error) {  // no such window, or a driver that refuses the shaders
+  } catch (const std::runtime_error& error) {
     keepWhatRan();
-    std::cerr << "tyg view: " << error.what() << "; tyg render draws without a window" << std::endl;
-    return kSimulationFailed;
+    return sayNoWindow(error);
   }
   keepWhatRan();
   if (!kept) keep(viewer.run().record());
   return interrupted() ? kInterrupted : kDone;
+}
+
+int view(const ViewOptions& options) {
+  const Scene scene = chosenScene(options.scene);
+  if (options.log) checkWritable(*options.log);
+  if (options.record) checkWritable(*options.record);
+  std::optional<OpeningWindow> opening;
+  try {
+    opening.emplace(openingOptions(options), scene);
+  } catch (const NoDisplay& error) {
+    return renderWithoutWindow(options, scene, error);
+  } catch (const WindowError& error) {
+    return sayNoWindow(error);
+  }
+  return show(options, scene, *opening);
 }
 
 double parseScale(const std::string& text) {

@@ -1,6 +1,4 @@
 // The options that every simulating command shares: which scene, and what the command line changes in it.
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -11,6 +9,7 @@
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
+#include "core/scene/same_sides.h"
 #include "core/scene/scene_range.h"
 #include "tyg/methods.h"
 #include "util/amounts.h"
@@ -19,41 +18,14 @@
 namespace tyg {
 namespace {
 
-/// Whether a grid has the sides of another one, to within half a cell; cells stay square.
-bool keepsSides(const Scene& scene, int columns, int rows) {
-  const double wide = scene.columns - 1, tall = scene.rows - 1;
-  const double cell = std::max(wide, tall) / std::max({columns - 1, rows - 1, 1});
-  constexpr double kHalf = 0.5 + 1e-9;
-  return std::abs((columns - 1) * cell - wide) <= kHalf * cell && std::abs((rows - 1) * cell - tall) <= kHalf * cell;
-}
-
-/// Throws InputError with the nearest grids that fit.
-void refuseOtherSides(const Scene& scene, int columns, int rows) {
-  const bool hasSides = std::max(scene.columns, scene.rows) > 1 && std::max(columns, rows) > 1;
-  if (!hasSides || keepsSides(scene, columns, rows)) return;
-  std::vector<std::string> fitting;
-  const auto offer = [&](double width, double height) {
-    const auto in = [](double count) { return count >= 1 && count <= kLargestCount; };
-    if (!in(width) || !in(height) || !keepsSides(scene, int(width), int(height))) return;
-    const std::string grid = fmt::format("{}x{}", int(width), int(height));
-    if (std::ranges::find(fitting, grid) == fitting.end()) fitting.push_back(grid);
-  };
-  const double tallness = double(scene.rows - 1) / std::max(scene.columns - 1, 1);
-  const double width = double(scene.columns - 1) / std::max(scene.rows - 1, 1);
-  offer(columns, std::round((columns - 1) * tallness) + 1);
-  offer(std::round((rows - 1) * width) + 1, rows);
-  if (fitting.empty()) fitting.push_back(fmt::format("{}x{}", scene.columns, scene.rows));
-  throw InputError(fmt::format(
-      "--sheet: found {}x{}, which is not the shape of a sheet of {}x{} particles; allowed are grids with its sides, "
-      "the nearest of which {} {}",
-      columns, rows, scene.columns, scene.rows, fitting.size() > 1 ? "are" : "is", joined(fitting)));
-}
-
-}  // namespace
-namespace {
-
 constexpr int kMostParticlesAlongASide = 4096;
 constexpr int kMostThreads = 1024;
+
+/// Throws InputError with the nearest grids that fit.
+void refuseOtherSides(const Scene& scene, const Grid& grid) {
+  const bool hasSides = std::max(scene.columns, scene.rows) > 1 && std::max(grid.columns, grid.rows) > 1;
+  if (hasSides && !keepsSides(scene, grid)) throw InputError("--sheet: " + otherSides(scene, grid, kLargestCount));
+}
 
 void addNumbers(Command& command, SceneOptions& options) {
   const auto threads = [](const std::string& text) { return checkCount(text, kMostThreads, "threads"); };
@@ -116,7 +88,7 @@ Scene chosenScene(const SceneOptions& options) { return overridden(loadScene(opt
 Scene overridden(Scene scene, const SceneOptions& options) {
   if (options.sheet) {
     const auto [columns, rows] = parsePair(*options.sheet);
-    refuseOtherSides(scene, columns, rows);
+    refuseOtherSides(scene, {columns, rows});
     scene = withSheet(std::move(scene), columns, rows);
   }
   const bool list = options.methods == MethodCount::Several && options.integrator &&

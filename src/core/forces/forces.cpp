@@ -323,8 +323,9 @@ void Forces<T>::addPush(int particle, const Vec3& force) {
   const PushedParticle<T> push{
       particle / layout_.columns, particle % layout_.columns, {T(force.x), T(force.y), T(force.z)}};
   std::vector<PushedParticle<T>>& pushes = kernel_->pushes;
-  if (pushes.empty() || pushes.back().row <= push.row) return pushes.push_back(push);
-  pushes.insert(std::ranges::upper_bound(pushes, push.row, {}, &PushedParticle<T>::row), push);
+  const auto place = [](const PushedParticle<T>& at) { return std::pair(at.row, at.column); };
+  if (pushes.empty() || place(pushes.back()) <= place(push)) return pushes.push_back(push);
+  pushes.insert(std::ranges::upper_bound(pushes, place(push), {}, place), push);
 }
 
 template <class T>

@@ -11,6 +11,7 @@
 // to one vector level.
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -249,9 +250,10 @@ void accumulateRow(const RowTask<T>& given, int row, bool finish) {
 /// The pushes on these particles, which lie from column i on; the others' forces keep their bits.
 template <class T>
 TYG_INLINE void addPushes(const RowTask<T>& task, std::ptrdiff_t i, Vec<T>& f) {
-  for (const PushedParticle<T>* push = task.firstPush; push != task.endPush; ++push) {
+  const PushedParticle<T>* push =
+      std::ranges::lower_bound(task.firstPush, task.endPush, i, {}, &PushedParticle<T>::column);
+  for (; push != task.endPush && push->column < i + kLanes<T>; ++push) {
     const std::ptrdiff_t lane = push->column - i;
-    if (lane < 0 || lane >= kLanes<T>) continue;
     f.x[lane] += push->force[0], f.y[lane] += push->force[1], f.z[lane] += push->force[2];
   }
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/forces/term.h"
 
@@ -65,7 +66,9 @@ bool Pushes::switchOfScene(const Instant& now, const Backend& backend) {
     if (push.actsAt(now) == push.acting) continue;
     jump = true;
     turn(push, backend);
-    const auto place = std::ranges::lower_bound(acting_, index);
+    const auto place = std::ranges::lower_bound(acting_, std::pair(push.particle, index), {}, [this](int acting) {
+      return std::pair(ofScene_[std::size_t(acting)].particle, acting);
+    });
     push.acting ? acting_.insert(place, index) : acting_.erase(place);
   }
   return jump;
@@ -95,7 +98,8 @@ void Pushes::forActing(const Visit& visit) const {
   }
 }
 
-/// In the order of their particles, in which the backend keeps them; those of one particle stay in theirs.
+/// In the order of their particles, in which the backend keeps them; those of one particle stay in theirs. Those of the
+/// scene are kept so: a sort at each of many edges would take longer than the steps between them.
 void Pushes::applyTo(Backend& backend) const {
   std::vector<const Push*> acting;
   forActing([&](const Push& push) { acting.push_back(&push); });

@@ -68,7 +68,7 @@ class Pushes {
   void turn(Push& push, const Backend& backend);
   bool switchOfScene(const Instant& now, const Backend& backend);
   bool switchByHand(const Instant& now, const Backend& backend);
-  /// Those of the scene first, in its order, then those by hand.
+  /// Those of the scene first, by particle, then those by hand.
   template <class Visit>
   void forActing(const Visit& visit) const;
 
@@ -76,7 +76,7 @@ class Pushes {
   std::vector<HandPush> byHand_;                    // until they end
   std::shared_ptr<const std::vector<Edge>> edges_;  // by time; the same for all copies
   std::size_t passed_ = 0;                          // of the edges
-  std::vector<int> acting_;                         // of the scene, ascending
+  std::vector<int> acting_;                         // of the scene, by particle, then in its order
   double finishedWork_ = 0;                         // J
 };
 

@@ -174,13 +174,16 @@ double RestSpectrum::mostStiffnessPerDamping() const {
   return most * kTiny * C.norm() < 1e-3 * K.norm() / double(size) ? most : kInfinity;
 }
 
-/// An Arnoldi iteration (Arnoldi 1951) on (w x, v)' = (w v, -K x / w - C v), whose Ritz values reach the outermost
-/// roots first. With w the fastest rate both halves have one unit.
+/// The fastest rate w of the sheet, in which (w x, v)' = (w v, -K (w x) / w - C v): both halves have one unit, so that
+/// rounding is as small a part of the roots however long the unit of time is. 0 where nothing moves by itself.
+double RestSpectrum::fastestRate() const { return std::sqrt(farthest({1, 0}).w2) + farthest({0, 1}).d; }
+
+/// An Arnoldi iteration (Arnoldi 1951), whose Ritz values reach the outermost roots first.
 std::vector<std::complex<double>> RestSpectrum::outerRoots() const {
   const Eigen::Index size = matrices_->K.rows(), most = std::min<Eigen::Index>(2 * size, kMostProducts);
   std::vector<std::complex<double>> outer;
   if (size == 0) return outer;
-  const double w = std::sqrt(farthest({1, 0}).w2) + farthest({0, 1}).d;
+  const double w = fastestRate();
   if (!(w > 0) || !std::isfinite(w)) return outer;
   Eigen::MatrixXd basis(2 * size, most), small = Eigen::MatrixXd::Zero(most, most);
   Vector next(2 * size);
@@ -202,14 +205,15 @@ std::vector<std::complex<double>> RestSpectrum::outerRoots() const {
   return outer;
 }
 
-/// The eigenvalues of (x, v)' = (v, -K x - C v) in the plane; 0 and -d for every d of the damping out of it.
+/// The eigenvalues of the motion in the plane; 0 and -d for every d of the damping out of it.
 std::vector<std::complex<double>> RestSpectrum::roots() const {
   std::vector<std::complex<double>> all;
   const Eigen::Index size = matrices_->K.rows();
   if (size == 0) return all;
   Eigen::MatrixXd motion = Eigen::MatrixXd::Zero(2 * size, 2 * size);
-  motion.topRightCorner(size, size).setIdentity();
-  motion.bottomLeftCorner(size, size) = -Eigen::MatrixXd(matrices_->K);
+  const double fastest = fastestRate(), w = fastest > 0 && std::isfinite(fastest) ? fastest : 1;
+  motion.topRightCorner(size, size).diagonal().setConstant(w);
+  motion.bottomLeftCorner(size, size) = -Eigen::MatrixXd(matrices_->K) / w;
   motion.bottomRightCorner(size, size) = -Eigen::MatrixXd(matrices_->C);
   const Eigen::EigenSolver<Eigen::MatrixXd> inPlane(motion, false);
   for (const std::complex<double>& mu : inPlane.eigenvalues()) all.push_back(mu);

@@ -42,6 +42,8 @@ class RestSpectrum {
   static constexpr int kMostProducts = 80;  ///< with K and C, of outerRoots()
 
  private:
+  [[nodiscard]] double fastestRate() const;
+
   struct Matrices;  // Eigen's, which nobody else needs to compile
   std::shared_ptr<const Matrices> matrices_;
 };

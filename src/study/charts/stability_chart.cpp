@@ -208,7 +208,8 @@ void addRegion(std::size_t k, const RegionPanel& panel, double topOfPanels, Char
 }  // namespace
 
 std::string stabilityScript(const StabilityStudy& study) {
-  const Scene& scene = study.scene;
+  Scene scene = study.scene;
+  scene.dt = std::min(scene.dt, scene.duration);  // as every run cuts its steps; beyond, h mu may have no number
   const Layout layout = layoutOf(study);
   constexpr int kLetters = 23, kDigits = 8;
   ChartScript script(kWidth, layout.height, kLetters, kDigits);

@@ -15,6 +15,7 @@
 #include <fmt/core.h>
 
 #include "core/forces/term.h"
+#include "core/scene/same_sides.h"
 #include "tyg/methods.h"
 #include "viewer/edits.h"
 #include "viewer/push_tool.h"
@@ -175,7 +176,7 @@ class ControlPanel final : public Panel {
     ImGui::InputInt2("##sheet", size_.data());
     typing_ = ImGui::IsItemActive();
     const bool typed = ImGui::IsItemDeactivatedAfterEdit();
-    tip(scope, fmt::format("columns and rows of particles, {:.4g} mm apart", 1e3 * wanted.spacing));
+    tip(scope, fmt::format("columns and rows of particles, {:.4g} mm apart; the sides stay", 1e3 * wanted.spacing));
     if (typed) resize(scope.viewer, wanted);
     name("precision", scope.size);
     constexpr std::array kPrecisions{"float, 4 bytes", "double, 8 bytes"};
@@ -199,10 +200,22 @@ class ControlPanel final : public Panel {
           fmt::format("{}: {} is the {}", k == 0 ? "columns" : "rows", size_.at(k), typed < 1 ? "least" : "most");
     }
     try {
-      wanted = withSheet(wanted, size_[0], size_[1]);
+      const Grid grid = withBothSides(wanted, {size_[0], size_[1]});
+      wanted = withSheet(wanted, grid.columns, grid.rows);
     } catch (const InputError& error) {
       viewer.notes().warn(error.what());
     }
+  }
+
+  /// Where one of the counts was typed, the other follows, so that the sides stay. Throws InputError where they do not.
+  static Grid withBothSides(const Scene& scene, Grid typed) {
+    const bool hasSides = std::max(scene.columns, scene.rows) > 1 && std::max(typed.columns, typed.rows) > 1;
+    if (!hasSides || keepsSides(scene, typed)) return typed;
+    for (const Grid& fitting : nearestGrids(scene, typed, kMostParticles)) {
+      if (typed.rows == scene.rows && fitting.columns == typed.columns) return fitting;
+      if (typed.columns == scene.columns && fitting.rows == typed.rows) return fitting;
+    }
+    throw InputError("sheet: " + otherSides(scene, typed, kMostParticles));
   }
 
   static void drawSprings(const PanelScope& scope, Scene& wanted) {
