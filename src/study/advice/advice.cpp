@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
+
+#include <fmt/core.h>
 
 #include "study/limits/stability.h"
 #include "study/motion/error.h"
@@ -76,10 +79,23 @@ Truth truthWithin(double ofSize, Task& task) {
   Scene scene = task.scene;
   scene.precision = Precision::Double;
   scene.tolerance = truth.tolerance = std::max(ofSize, kTightestTruth) * task.size;
+  // Where forces are extreme its steps may be so short that it would not end, whatever the springs alone allow.
+  constexpr double kMostWork = 1e10, kFewest = 1e6, kMost = 3e7;  // evaluations times particles, and evaluations
+  const double ofParticles = kMostWork / (double(scene.columns) * scene.rows);
+  const auto mostEvaluations = std::int64_t(std::clamp(ofParticles, kFewest, kMost));
   const auto run = [&] {
     const auto observer = [&](double) { return task.progress.goesOn(); };
-    return sampledRun(scene, findMethod("dopri54"), sampleTimes(scene),
-                      {.threads = task.threads, .observer = observer});
+    SampledMotion motion =
+        sampledRun(scene, findMethod("dopri54"), sampleTimes(scene),
+                   {.threads = task.threads, .mostEvaluations = mostEvaluations, .observer = observer});
+    if (motion.stopped && !task.progress.stopped()) {
+      throw InputError(
+          fmt::format("{}: found a motion for which dopri54 needs more than {} force evaluations at a tolerance of "
+                      "{:.2g} m; allowed "
+                      "are gentler forces, or a shorter --duration",
+                      scene.name, mostEvaluations, scene.tolerance));
+    }
+    return motion;
   };
   truth.motion = run();
   scene.tolerance *= kLooser;
