@@ -4,11 +4,18 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace tyg {
 namespace {
 
 double squared(const Vec3& v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
+
+std::vector<int> eachOnce(std::vector<int> particles) {
+  std::ranges::sort(particles);
+  particles.erase(std::unique(particles.begin(), particles.end()), particles.end());
+  return particles;
+}
 
 std::vector<int> particlesOf(const Move& move, const Sheet& sheet) {
   std::vector<int> particles;
@@ -16,10 +23,7 @@ std::vector<int> particlesOf(const Move& move, const Sheet& sheet) {
     const std::vector<int> named = particlesAt(sheet, place);
     particles.insert(particles.end(), named.begin(), named.end());
   }
-  std::ranges::sort(particles);
-  const auto [first, last] = std::ranges::unique(particles);
-  particles.erase(first, last);
-  return particles;
+  return eachOnce(std::move(particles));
 }
 
 }  // namespace
@@ -35,10 +39,8 @@ PinMotion::PinMotion(const Scene& scene, const Sheet& sheet) {
       all.push_back(particle);
     }
   }
-  std::ranges::sort(all);
-  const auto [first, last] = std::ranges::unique(all);
-  all.erase(first, last);
-  for (const int particle : all) pins_.push_back({.particle = particle, .velocity = {}, .since = 0, .from = {}});
+  for (const int particle : eachOnce(std::move(all)))
+    pins_.push_back({.particle = particle, .velocity = {}, .since = 0, .from = {}});
 }
 
 bool PinMotion::switchAt(const Scene& scene, const Sheet& sheet, const Instant& now, Backend& backend) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace tyg {
@@ -33,7 +34,7 @@ class Crossings {
         forBoxes(triangle, [&](const Box& box) { entries_.push_back({box, cell}); });
       }
     }
-    std::ranges::sort(entries_);
+    std::sort(entries_.begin(), entries_.end());
   }
 
   [[nodiscard]] std::optional<CrossingCells> first() const {
@@ -41,8 +42,8 @@ class Crossings {
       std::optional<int> other;
       for (const Edge& edge : edgesOf(cell)) {
         forBoxes(edge, [&](const Box& box) {
-          const auto [begin, end] = std::ranges::equal_range(entries_, box, {}, &Entry::box);
-          for (auto entry = begin; entry != end; ++entry) {
+          auto entry = std::ranges::lower_bound(entries_, box, {}, &Entry::box);
+          for (; entry != entries_.end() && entry->box == box; ++entry) {
             if ((!other || entry->cell < *other) && !touch(cell, entry->cell) && pierces(edge, entry->cell)) {
               other = entry->cell;
             }
@@ -58,7 +59,7 @@ class Crossings {
   struct Entry {
     Box box;
     int cell;
-    auto operator<=>(const Entry&) const = default;
+    bool operator<(const Entry& other) const { return std::tie(box, cell) < std::tie(other.box, other.cell); }
   };
 
   [[nodiscard]] int across() const { return sheet_.columns - 1; }

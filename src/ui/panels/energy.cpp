@@ -77,6 +77,7 @@ class EnergyPanel final : public Panel {
   void draw(const PanelScope& scope) override {
     const std::vector<Amount> amounts = amountsOf(ledger_);
     std::vector<RunningCurve> curves;
+    curves.reserve(amounts.size());
     for (const Amount& amount : amounts) {
       curves.push_back({amount.name, amount.channel, seriesColour(curves.size(), scope.background)});
     }
