@@ -10,6 +10,7 @@
 #include "gfx/passes/push_pass.h"
 #include "gfx/passes/spring_pass.h"
 #include "gfx/passes/surroundings_pass.h"
+#include "gfx/passes/wind_pass.h"
 #include "tyg/input_error.h"
 
 namespace tyg {
@@ -26,6 +27,7 @@ constexpr std::unique_ptr<Pass> (*kPasses[])(const Canvas& canvas){
     make<SpringPass>,
     make<ParticlePass>,
     make<PushPass>,
+    make<WindPass>,
 };
 
 std::unique_ptr<const Canvas> makeCanvas(const Sheet& sheet) {

@@ -94,17 +94,6 @@ struct AirTerm {
     return power(row, numbers, &OnCell<typename Row::Vector>::wind);
   }
 
- private:
-  template <class Row, class Velocity>
-  [[gnu::always_inline]] static double power(const Row& row, const Numbers<double>& numbers, Velocity velocity) {
-    if (!(numbers.factor > 0)) return 0;
-    const auto math = row.math();
-    return 4 * row.sumOverCells([&](const auto& x, const auto& v) {
-      const auto air = onCell(math, x, v, numbers);
-      return math.dot(air.corner, air.*velocity);
-    });
-  }
-
   /// velocity + gust s(p), p = phase - wave.x, s of period 1, mean 0 and amplitude 1, three times continuously
   /// differentiable: s(p) = 2 S7(1 - 2 |p - round(p)|) - 1, S7(q) = q^4 (35 - 84 q + 70 q^2 - 20 q^3).
   template <class Math, class Vector, class T>
@@ -118,6 +107,19 @@ struct AirTerm {
     const auto s = math.all(T(2)) * ((q2 * q2) * inner) - math.all(T(1));
     return velocity + s * math.all3(blowing.gust);
   }
+ private:
+  template <class Row, class Velocity>
+  [[gnu::always_inline]] static double power(const Row& row, const Numbers<double>& numbers, Velocity velocity) {
+    if (!(numbers.factor > 0)) return 0;
+    const auto math = row.math();
+    return 4 * row.sumOverCells([&](const auto& x, const auto& v) {
+      const auto air = onCell(math, x, v, numbers);
+      return math.dot(air.corner, air.*velocity);
+    });
+  }
 };
+
+/// The wind at a place (m) and a time (s), for people to see, m/s; none where the scene has no air.
+Vec3 windAt(const Scene& scene, double time, const Vec3& place);
 
 }  // namespace tyg
