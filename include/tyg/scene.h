@@ -64,8 +64,8 @@ struct Air {
 
 /// A wind during [at, at + duration), and a gust that travels with it.
 struct Wind {
-  Vec3 velocity;                                              ///< m/s
-  Vec3 gust;                                                  ///< its amplitude, m/s
+  Vec3 velocity{};                                            ///< m/s
+  Vec3 gust{};                                                ///< its amplitude, m/s
   double wavelength = 0;                                      ///< m, > 0 where there is a gust
   double at = 0;                                              ///< s, >= 0
   double duration = std::numeric_limits<double>::infinity();  ///< s, >= 0; the key `for` of the file
@@ -74,8 +74,8 @@ struct Wind {
 
 /// Pinned particles move with this velocity during [at, at + duration); several motions of one add up.
 struct Move {
-  std::vector<Place> what;
-  Vec3 velocity;        ///< m/s
+  std::vector<Place> what{};
+  Vec3 velocity{};      ///< m/s
   double at = 0;        ///< s, >= 0
   double duration = 0;  ///< s, >= 0; the key `for` of the file
   bool operator==(const Move&) const = default;

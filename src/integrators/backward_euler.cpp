@@ -87,8 +87,6 @@ class BackwardEuler final : public Integrator<T> {
   struct VectorMath {
     static T all(T number) { return number; }
     static Vector all3(const T (&numbers)[3]) { return {numbers[0], numbers[1], numbers[2]}; }
-    static Vector none() { return Vector::Zero(); }
-    static T tiny() { return std::numeric_limits<T>::min(); }
     static T root(T a) { return std::sqrt(a); }
     static T size(T a) { return std::abs(a); }
     static T nearestWhole(T a) { return std::nearbyint(a); }

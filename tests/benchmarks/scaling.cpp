@@ -51,24 +51,34 @@ void writeAndDraw(const Options& options, const std::string& name, const std::st
 
 namespace {
 
+struct Part {
+  const char* name;
+  void (*measure)(const Options& options);
+};
+constexpr Part kParts[] = {
+    {"memory", measureMemory}, {"sizes", measureSizes}, {"terms", measureTerms}, {"refinement", measureRefinement}};
+
 int run(int count, char** words) {
   Options options;
+  std::string only;
   for (int k = 1; k < count; ++k) {
     if (std::strcmp(words[k], "--quick") == 0) {
       options.quick = true;
     } else if (std::strcmp(words[k], "--out") == 0 && k + 1 < count) {
       options.out = words[++k];
+    } else if (std::strcmp(words[k], "--only") == 0 && k + 1 < count) {
+      only = words[++k];
     } else {
-      std::cerr << "scaling: found " << words[k] << ", allowed: --quick, --out DIR\n";
+      std::cerr << "scaling: found " << words[k]
+                << ", allowed: --quick, --out DIR, --only memory|sizes|terms|refinement\n";
       return 2;
     }
   }
   std::filesystem::create_directories(options.out);
   checkWritable(options.out / "sizes.csv");
-  measureMemory(options);
-  measureSizes(options);
-  measureTerms(options);
-  measureRefinement(options);
+  for (const Part& part : kParts) {
+    if (only.empty() || only == part.name) part.measure(options);
+  }
   std::cout << "\nwritten to " << options.out.string() << std::endl;
   return 0;
 }

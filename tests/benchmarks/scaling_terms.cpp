@@ -42,6 +42,17 @@ constexpr Variant kVariants[] = {
     {"no damping", withoutDamping},
     {"axial damping", [](Scene& s) { s.damping = Damping::Axial; }},
     {"drag", [](Scene& s) { s.drag = 1e-4; }},
+    {"still air", [](Scene& s) { s.air.density = 1.2; }},
+    {"a steady wind",
+     [](Scene& s) {
+       s.air.density = 1.2;
+       s.winds = {{.velocity = {4, 0, 1}}};
+     }},
+    {"a wind with gusts",
+     [](Scene& s) {
+       s.air.density = 1.2;
+       s.winds = {{.velocity = {4, 0, 1}, .gust = {1, 0, 2}, .wavelength = 1.5}};
+     }},
     {"a push acting",
      [](Scene& s) {
        s.pushes = {{{"middle"}, {0, 0, 1e-3}, 0, 1e6}};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "files.h"
+#include "test_systems.h"
 #include "tyg/methods.h"
 #include "tyg/scene.h"
 
@@ -106,7 +107,7 @@ TEST(SceneErrors, NameWhatWindsAndMotionsLack) {
            {"[[move]]\nwhat = \"topleft\"\nvelocity = [1, 0, 0]\nat = 0\nfor = 1\n", "did you mean 'top-left'"},
            {"[[move]]\nwhat = \"top\"\nvelocity = [1, 0, 0]\nat = 0\n", "move.for"},
        }) {
-    const std::string message = messageOf([&, &scene = text] { (void)parseScene(head + scene, "wrong.toml"); });
+    const std::string message = test::messageOf([&, &scene = text] { (void)parseScene(head + scene, "wrong.toml"); });
     EXPECT_NE(message.find(said), std::string::npos) << text << message;
     EXPECT_EQ(message.rfind("wrong.toml:", 0), 0U) << message;
   }

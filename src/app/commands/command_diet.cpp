@@ -122,7 +122,8 @@ int diet(const DietOptions& options) {
     return kSimulationFailed;
   }
 
-  const DietFindings findings{reference, found, needs, hangsByPoints(scene)};
+  const DietFindings findings{reference, found, needs, hangsByPoints(scene),
+                              firstCrossingOf(scene, reference.motion, found.judgedUpTo)};
   std::cout << (options.json ? dietJson(findings) : dietTable(findings)) << std::endl;
   writeFiles(findings, folder);
   if (options.json) return kDone;

@@ -95,6 +95,13 @@ std::string needsText(const DietFindings& findings) {
           100 * need.stretch, 100 * need.finerStretch);
     }
   }
+  if (findings.crossing) {
+    const CrossingCells& cells = findings.crossing->cells;
+    text += fmt::format(
+        "Contact of the cloth with itself: it passes through itself, at {:.3g} s or before,\n"
+        "where the cell right and below of [{}, {}] meets that of [{}, {}].\n",
+        findings.crossing->time, cells.column, cells.row, cells.otherColumn, cells.otherRow);
+  }
   return text;
 }
 
@@ -181,6 +188,7 @@ std::string dietJson(const DietFindings& findings) {
       {"together", listJson(diet.together, row)},
       {"finer", listJson(findings.needs, [&](const Need& need) { return needJson(need, diet); })},
       {"too_lean", std::ranges::any_of(findings.needs, tooLean)},
+      {"passes_through_itself_s", findings.crossing ? Json(findings.crossing->time) : Json()},
       {"hangs_by_points", findings.byPoints},
   });
 }

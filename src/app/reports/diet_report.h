@@ -2,6 +2,7 @@
 // Must not know: options, files, how the diet was done.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct DietFindings {
   const Diet& diet;
   const std::vector<Need>& needs;
   bool byPoints = false;  ///< does the sheet hang by points?
+  std::optional<FirstCrossing> crossing{};
 };
 
 /// At most 80 columns wide.

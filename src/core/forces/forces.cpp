@@ -284,8 +284,10 @@ template <class T>
 void Forces<T>::movePins(std::vector<int> particles) {
   Kernel& k = *kernel_;
   movingPins_ = std::move(particles);
-  account_.power.pins = 0;
-  if (movingPins_.empty()) return;
+  if (movingPins_.empty()) {
+    account_.power.pins = 0;
+    return;
+  }
   k.isFreeOrMoves = k.isFree;
   for (const int pin : movingPins_) k.isFreeOrMoves[static_cast<std::size_t>(layout_.at(pin))] = T(1);
   if (k.forceOnPins.bytes() == 0) k.forceOnPins = VectorField<T>(layout_);

@@ -3,6 +3,8 @@
 // decide the alarm. Included by row_kernel_level.cpp alone; everything here is private to one vector level.
 #pragma once
 
+#include <array>
+
 #include "core/forces/row_forces.h"
 
 namespace tyg {
@@ -94,8 +96,6 @@ struct EightMath {
   TYG_INLINE static EightVectors all3(const double (&numbers)[3]) {
     return {all(numbers[0]), all(numbers[1]), all(numbers[2])};
   }
-  TYG_INLINE static EightVectors none() { return {all(0), all(0), all(0)}; }
-  TYG_INLINE static Eight tiny() { return all(kTiny<double>); }
   TYG_INLINE static Eight root(const Eight& a) { return squareRoots(a); }
   TYG_INLINE static Eight size(const Eight& a) { return larger(a, -a); }
   TYG_INLINE static Eight nearestWhole(const Eight& a) {
@@ -136,6 +136,23 @@ TYG_INLINE double sumOf(int n, const Term& term) {
     sums = sums + last;
   }
   return addPairwise(sums);
+}
+
+/// Two such sums in one pass.
+template <class Terms>
+TYG_INLINE std::array<double, 2> sumsOf(int n, const Terms& terms) {
+  Eight first, second;
+  int k = 0;
+  for (; k + kSums <= n; k += kSums) {
+    const auto [a, b] = terms(k);
+    first = first + a, second = second + b;
+  }
+  if (k < n) {
+    auto [a, b] = terms(k);
+    a.keepFirst(n - k), b.keepFirst(n - k);
+    first = first + a, second = second + b;
+  }
+  return {addPairwise(first), addPairwise(second)};
 }
 
 /// Elastic energy of a run, and the largest stretch beside it.
@@ -179,11 +196,12 @@ class RowOfTerms {
       return amount(eightVectors(position_ + k, plane_), eightVectors(velocity_ + k, plane_));
     });
   }
-  /// Sum of what `amount` says of the positions and the velocities of the corners of each cell below the row.
-  template <class Amount>
-  [[nodiscard]] TYG_INLINE double sumOverCells(const Amount& amount) const {
-    if (!hasRowBelow_) return 0;
-    return sumOf(columns_ - 1, [&](int k) { return amount(cornersAt(position_ + k), cornersAt(velocity_ + k)); });
+  /// Sums of the two numbers that `amounts` says of the positions and the velocities of the corners of each cell below
+  /// the row.
+  template <class Amounts>
+  [[nodiscard]] TYG_INLINE std::array<double, 2> sumsOverCells(const Amounts& amounts) const {
+    if (!hasRowBelow_) return {};
+    return sumsOf(columns_ - 1, [&](int k) { return amounts(cornersAt(position_ + k), cornersAt(velocity_ + k)); });
   }
 
  private:
@@ -231,8 +249,13 @@ Power powerOfRow(const EnergyRow<T>& given) {
   double sum = 0;
   std::size_t supply = 0;
   AllTerms::forEach([&]<class Term>() {
-    if constexpr (requires { Term::template powerIn<RowOfTerms<T>>; }) sum += Term::powerIn(row, numbersOf<Term>(in));
-    if constexpr (requires { Term::kSupply; }) power.supplied[supply++] = Term::supplyIn(row, numbersOf<Term>(in));
+    if constexpr (requires { Term::kSupply; }) {
+      const auto [lost, supplied] = Term::powersIn(row, numbersOf<Term>(in));
+      sum += lost;
+      power.supplied[supply++] = supplied;
+    } else if constexpr (requires { Term::template powerIn<RowOfTerms<T>>; }) {
+      sum += Term::powerIn(row, numbersOf<Term>(in));
+    }
   });
   const Eight tiny = partByPart([](int) { return Lanes<double>{} + 1e-300; });
   forSpringRuns(in, [&](const SpringLaw<double>& law, std::ptrdiff_t a, std::ptrdiff_t b, int n) {

@@ -158,8 +158,6 @@ template <class T>
 struct LaneMath {
   TYG_INLINE static Lanes<T> all(T number) { return Lanes<T>{} + number; }
   TYG_INLINE static Vec<T> all3(const T (&numbers)[3]) { return {all(numbers[0]), all(numbers[1]), all(numbers[2])}; }
-  TYG_INLINE static Vec<T> none() { return {all(0), all(0), all(0)}; }
-  TYG_INLINE static Lanes<T> tiny() { return all(kTiny<T>); }
   TYG_INLINE static Lanes<T> root(const Lanes<T>& a) { return squareRoots<T>(a); }
   TYG_INLINE static Lanes<T> size(const Lanes<T>& a) { return a < 0 ? -a : a; }
   /// The nearest whole number to one far below 1 / epsilon: what is left after adding a number of which only whole
@@ -206,6 +204,9 @@ void accumulateRow(const RowTask<T>& given, int row, bool finish) {
     const std::ptrdiff_t end = begin + kBlock < task.width ? begin + kBlock : task.width;
     for (std::ptrdiff_t i = begin; i < end; i += kLanes<T>) {
       const std::ptrdiff_t a = row * s + i;
+      // First, where the fewest registers are in use.
+      [[maybe_unused]] Vec<T> corner{};
+      if constexpr (kCells) corner = cellForce<CellTerms>(task, hasDown * load(task.hasRight + i), a);
       Vec<T> across{}, down{}, downRight{}, downLeft{}, across2{}, down2{};
       if constexpr ((families & kStructural) != 0) {
         across = springForce<damping>(task, structural, load(task.hasRight + i), a, a + 1);
@@ -223,7 +224,6 @@ void accumulateRow(const RowTask<T>& given, int row, bool finish) {
       Vec<T> f = (((((across - load(to.taken, s, i)) + down) + downRight) + across2) + down2);
       Vec<T> onRight = downLeft - across;
       if constexpr (kCells) {
-        const Vec<T> corner = cellForce<CellTerms>(task, hasDown * load(task.hasRight + i), a);
         f = f + corner, onRight = onRight + corner;
         down = down - corner, downRight = downRight - corner;
       }

@@ -63,9 +63,9 @@ void Simulation::Impl::goBackTo(const Checkpoint& checkpoint) {
   if (run.energies.followsLedger() != settings.ledger) trackDissipation(settings.ledger);
 }
 
-EnergySample Simulation::Impl::sample() const {
+EnergySample Simulation::Impl::sample(const Power& power) const {
   EnergySample sample{backend->energy(), run.pushes.work(*backend), backend->energyOfPower(), run.clock.time()};
-  sample.passed.supplied = run.supply.upTo(powerToSupply(), run.clock.time(), sample.passed);
+  sample.passed.supplied = run.supply.upTo(power, run.clock.time(), sample.passed);
   sample.passed.pins += run.pins.work();
   return sample;
 }

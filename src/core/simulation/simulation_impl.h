@@ -37,7 +37,9 @@ struct Simulation::Impl {
   };
   [[nodiscard]] Checkpoint checkpoint() const;
   void goBackTo(const Checkpoint& checkpoint);
-  [[nodiscard]] EnergySample sample() const;
+  [[nodiscard]] EnergySample sample() const { return sample(powerToSupply()); }
+  /// `power` (W): of now, as powerToSupply() gives it.
+  [[nodiscard]] EnergySample sample(const Power& power) const;
   void trackDissipation(bool on);
   [[nodiscard]] Instant now() const;
   /// W, where terms of the scene can bring energy; else 0.

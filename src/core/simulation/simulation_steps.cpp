@@ -84,7 +84,7 @@ void Simulation::Impl::finishSteps(double h, int count, double timeAfter) {
   const Power power = keepsTheBalance ? backend->power(timeAfter) : powerToSupply();
   run.supply.check(power, timeAfter);
   run.energies.lose(keepsTheBalance ? power.lost : 0, timeAfter);
-  run.energies.check(sample());
+  run.energies.check(sample(power));
   askObserver();
 }
 

@@ -93,6 +93,14 @@ std::vector<int> neighbours(const Sheet& sheet, int particle) {
 
 }  // namespace
 
+std::optional<FirstCrossing> firstCrossingOf(const Scene& scene, const SampledMotion& motion, double upTo) {
+  const Sheet sheet = makeSheet(scene);
+  for (std::size_t k = 0; k < motion.positions.size() && motion.times[k] <= upTo; ++k) {
+    if (const auto cells = firstCrossing(sheet, motion.positions[k])) return FirstCrossing{motion.times[k], *cells};
+  }
+  return std::nullopt;
+}
+
 bool hangsByPoints(const Scene& scene) {
   const Sheet sheet = makeSheet(scene);
   if (sheet.columns == 1 || sheet.rows == 1) return false;

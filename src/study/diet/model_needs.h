@@ -3,11 +3,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "study/motion/error.h"
 #include "study/motion/reference.h"
+#include "study/motion/self_crossing.h"
 
 namespace tyg {
 
@@ -28,6 +30,13 @@ struct Need {
 /// needs found so far are then given back.
 std::vector<Need> needsOf(const Scene& scene, const Reference& reference, double upTo, int threads,
                           const std::function<bool(double fraction)>& observer);
+
+/// When and where a motion first passes through itself, among its sample times up to `upTo` s.
+struct FirstCrossing {
+  double time = 0;  ///< s
+  CrossingCells cells;
+};
+std::optional<FirstCrossing> firstCrossingOf(const Scene& scene, const SampledMotion& motion, double upTo);
 
 /// Does a sheet hang by particles that have no pinned one beside them? The finer the sheet, the more it stretches
 /// there.

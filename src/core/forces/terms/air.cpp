@@ -134,24 +134,26 @@ struct VectorMath {
 
 template <class T>
 void AirTerm::setMoment(const Scene& scene, double time, Moment<T>& moment, Numbers<T>& numbers) {
-  moment.blowing.clear();
+  moment.gusts.clear();
+  std::array<double, 3> steady{};
   for (const Wind& wind : scene.winds) {
-    Blowing<T> blowing;
     const std::array<double, 3> velocity{wind.velocity.x, wind.velocity.y, wind.velocity.z};
     const std::array<double, 3> gust{wind.gust.x, wind.gust.y, wind.gust.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) steady[axis] += velocity[axis];
     const double speed = length(wind.velocity);
-    blowing.hasGust = wind.gust != Vec3{} && wind.wavelength > 0 && speed > 0;
+    if (wind.gust == Vec3{} || !(wind.wavelength > 0) || !(speed > 0)) continue;
+    Gusts<T>& gusts = moment.gusts.emplace_back();
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      blowing.velocity[axis] = T(velocity[axis]), blowing.gust[axis] = T(gust[axis]);
-      if (blowing.hasGust) blowing.wave[axis] = T(velocity[axis] / speed / wind.wavelength);
+      gusts.amplitude[axis] = T(gust[axis]);
+      gusts.wave[axis] = T(velocity[axis] / speed / wind.wavelength);
     }
     // In double, and then only what is left of whole periods: float could not tell late times apart.
-    const double periods = blowing.hasGust ? speed * time / wind.wavelength : 0;
-    blowing.phase = T(periods - std::floor(periods));
-    moment.blowing.push_back(blowing);
+    const double periods = speed * time / wind.wavelength;
+    gusts.phase = T(periods - std::floor(periods));
   }
-  numbers.firstBlowing = moment.blowing.data();
-  numbers.endBlowing = moment.blowing.data() + moment.blowing.size();
+  for (std::size_t axis = 0; axis < 3; ++axis) numbers.steady[axis] = T(steady[axis]);
+  numbers.firstGusts = moment.gusts.data();
+  numbers.endGusts = moment.gusts.data() + moment.gusts.size();
 }
 template void AirTerm::setMoment(const Scene&, double, Moment<float>&, Numbers<float>&);
 template void AirTerm::setMoment(const Scene&, double, Moment<double>&, Numbers<double>&);
@@ -164,9 +166,9 @@ Vec3 windAt(const Scene& scene, double time, const Vec3& place) {
   AirTerm::Moment<double> moment;
   AirTerm::Numbers<double> numbers;
   AirTerm::setMoment(blowing, time, moment, numbers);
-  Vector sum;
-  for (const auto& each : moment.blowing) {
-    sum = sum + AirTerm::windOf(VectorMath(), each, Vector{place.x, place.y, place.z});
+  Vector sum = VectorMath::all3(numbers.steady);
+  for (const auto& gusts : moment.gusts) {
+    sum = sum + AirTerm::gustOf(VectorMath(), gusts, Vector{place.x, place.y, place.z});
   }
   return {sum.x, sum.y, sum.z};
 }

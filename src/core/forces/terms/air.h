@@ -5,6 +5,7 @@
 // particle would need rows that a pass in place has already moved.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/forces/terms/term_list.h"
@@ -19,28 +20,31 @@ struct AirTerm {
   static constexpr std::string_view kSupply = "wind";
   static const ForceTerm kTerm;
 
-  /// One of the winds that blow at a moment. A gust travels with its wind (Taylor's frozen turbulence, 1938).
+  /// The gusts of one of the winds that blow at a moment. They travel with it (Taylor's frozen turbulence, 1938).
   template <class T>
-  struct Blowing {
-    T velocity[3] = {}, gust[3] = {};  ///< m/s
-    T wave[3] = {};                    ///< the direction of the wind over the wavelength, 1/m
-    T phase = 0;                       ///< of the gust at the origin, as a share of a period
-    bool hasGust = false;
+  struct Gusts {
+    T amplitude[3] = {};  ///< m/s
+    T wave[3] = {};       ///< the direction of the wind over the wavelength, 1/m
+    T phase = 0;          ///< at the origin, as a share of a period
   };
   template <class T>
   struct Numbers {
-    T factor = 0;                                                    ///< rho C / 16, kg/m3
-    const Blowing<T>*firstBlowing = nullptr, *endBlowing = nullptr;  ///< of the moment
+    T factor = 0;                                              ///< rho C / 16, kg/m3
+    T tinyArea = 0;                                            ///< m4, keeps a cell without area from dividing by zero
+    T steady[3] = {};                                          ///< all winds of the moment without their gusts, m/s
+    const Gusts<T>*firstGusts = nullptr, *endGusts = nullptr;  ///< of the moment
   };
   /// What changes from moment to moment.
   template <class T>
   struct Moment {
-    std::vector<Blowing<T>> blowing;
+    std::vector<Gusts<T>> gusts;
   };
 
   template <class T>
-  static Numbers<T> numbersOf(const Scene& scene, const Sheet& /*sheet*/) {
-    return {T(scene.air.density * scene.air.coefficient / 16), nullptr, nullptr};
+  static Numbers<T> numbersOf(const Scene& scene, const Sheet& sheet) {
+    constexpr double kTiny = sizeof(T) == sizeof(float) ? 1e-12 : 1e-20;  // a share of a cell's area, squared
+    return {T(scene.air.density * scene.air.coefficient / 16),
+            T(kTiny * sheet.spacing * sheet.spacing * sheet.spacing * sheet.spacing)};
   }
   /// The winds of the scene, all of which blow, at this time (s). Allocates nothing for as many winds as before.
   template <class T>
@@ -57,15 +61,15 @@ struct AirTerm {
                                                       const Corners<Vector>& v, const Numbers<T>& numbers) {
     const auto quarter = math.all(T(0.25));
     const Vector centre = quarter * ((x.here + x.right) + (x.below + x.belowRight));
-    Vector wind = math.none();
-    for (const Blowing<T>* blowing = numbers.firstBlowing; blowing != numbers.endBlowing; ++blowing) {
-      wind = wind + windOf(math, *blowing, centre);
+    Vector wind = math.all3(numbers.steady);
+    for (const Gusts<T>* gusts = numbers.firstGusts; gusts != numbers.endGusts; ++gusts) {
+      wind = wind + gustOf(math, *gusts, centre);
     }
     const Vector past = wind - quarter * ((v.here + v.right) + (v.below + v.belowRight));
     const Vector twiceArea = math.cross(x.belowRight - x.here, x.below - x.right);
-    const auto through = math.dot(past, twiceArea) / math.root(math.dot(twiceArea, twiceArea) + math.tiny());
-    const auto speed = math.root(math.dot(past, past) + math.tiny());
-    return {(math.all(numbers.factor) * (speed * through)) * twiceArea, wind, past};
+    // |u| (u.A) / |A| with one root
+    const auto ratio = math.dot(past, past) / (math.dot(twiceArea, twiceArea) + math.all(numbers.tinyArea));
+    return {(math.all(numbers.factor) * (math.dot(past, twiceArea) * math.root(ratio))) * twiceArea, wind, past};
   }
   template <class Math, class Vector, class T>
   [[gnu::always_inline]] static Vector cornerForce(const Math& math, const Corners<Vector>& x, const Corners<Vector>& v,
@@ -80,42 +84,33 @@ struct AirTerm {
                               const Numbers<T>& numbers) {
     const Vector twiceArea = math.cross(x.belowRight - x.here, x.below - x.right);
     const Vector past = onCell(math, x, v, numbers).past;
-    const auto speed = math.root(math.dot(past, past)), size = math.root(math.dot(twiceArea, twiceArea) + math.tiny());
+    const auto speed = math.root(math.dot(past, past));
+    const auto size = math.root(math.dot(twiceArea, twiceArea) + math.all(numbers.tinyArea));
     return (math.all(T(0.5)) * math.root(math.all(numbers.factor) * speed / size)) * twiceArea;
   }
 
   /// W that the air takes from the cells below a row and from the wind, and W that the wind brings.
   template <class Row>
-  static double powerIn(const Row& row, const Numbers<double>& numbers) {
-    return power(row, numbers, &OnCell<typename Row::Vector>::past);
-  }
-  template <class Row>
-  static double supplyIn(const Row& row, const Numbers<double>& numbers) {
-    return power(row, numbers, &OnCell<typename Row::Vector>::wind);
+  static std::array<double, 2> powersIn(const Row& row, const Numbers<double>& numbers) {
+    if (!(numbers.factor > 0)) return {};
+    const auto math = row.math();
+    const auto four = math.all(4);
+    return row.sumsOverCells([&](const auto& x, const auto& v) {
+      const auto air = onCell(math, x, v, numbers);
+      return std::array{four * math.dot(air.corner, air.past), four * math.dot(air.corner, air.wind)};
+    });
   }
 
-  /// velocity + gust s(p), p = phase - wave.x, s of period 1, mean 0 and amplitude 1, three times continuously
-  /// differentiable: s(p) = 2 S7(1 - 2 |p - round(p)|) - 1, S7(q) = q^4 (35 - 84 q + 70 q^2 - 20 q^3).
+  /// gust s(p), p = phase - wave.x, s of period 1, mean 0 and amplitude 1, three times continuously differentiable:
+  /// s(p) = 2 S7(1 - 2 |p - round(p)|) - 1, S7(q) = q^4 (35 - 84 q + 70 q^2 - 20 q^3).
   template <class Math, class Vector, class T>
-  [[gnu::always_inline]] static Vector windOf(const Math& math, const Blowing<T>& blowing, const Vector& at) {
-    const Vector velocity = math.all3(blowing.velocity);
-    if (!blowing.hasGust) return velocity;
-    const auto p = math.all(blowing.phase) - math.dot(math.all3(blowing.wave), at);
+  [[gnu::always_inline]] static Vector gustOf(const Math& math, const Gusts<T>& gusts, const Vector& at) {
+    const auto p = math.all(gusts.phase) - math.dot(math.all3(gusts.wave), at);
     const auto q = math.all(T(1)) - math.all(T(2)) * math.size(p - math.nearestWhole(p));
     const auto q2 = q * q;
     const auto inner = (math.all(T(35)) - math.all(T(84)) * q) + q2 * (math.all(T(70)) - math.all(T(20)) * q);
     const auto s = math.all(T(2)) * ((q2 * q2) * inner) - math.all(T(1));
-    return velocity + s * math.all3(blowing.gust);
-  }
- private:
-  template <class Row, class Velocity>
-  [[gnu::always_inline]] static double power(const Row& row, const Numbers<double>& numbers, Velocity velocity) {
-    if (!(numbers.factor > 0)) return 0;
-    const auto math = row.math();
-    return 4 * row.sumOverCells([&](const auto& x, const auto& v) {
-      const auto air = onCell(math, x, v, numbers);
-      return math.dot(air.corner, air.*velocity);
-    });
+    return s * math.all3(gusts.amplitude);
   }
 };
 
