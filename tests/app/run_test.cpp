@@ -232,7 +232,7 @@ TEST(Run, ADriftWithoutAnEnergyIsNoNumber) {
 TEST(Run, OfACellTooLargeForTheNumbersSaysThatTheStartIsNotFinite) {
   const Folder folder;
   std::string text = std::string(kTwoParticles) + "[run]\nduration = 1\nintegrator = \"rk4\"\ndt = 0.01\n";
-  text.replace(text.find("spacing = 1"), 11, "spacing = 1e300");
+  text.replace(text.find("spacing = 1"), 11, "spacing = 1e30");
   const Outcome outcome = tyg("run " + folder.write("vast.toml", text).string() + " --precision float");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_TRUE(holds(outcome.err, "not finite at the start")) << outcome.err;

@@ -73,14 +73,15 @@ void readTerm(SceneTable& table, const ForceTerm& term, Scene& scene) {
 void readTerms(SceneTable table, std::string_view name, Scene& scene) {
   if (name == kSpringsTable) table.choice("damping", scene.damping, {"relative", "axial"});
   for (const ForceTerm* term : forceTerms()) {
-    if (partsOf(term->parameters.front().key).table != name) continue;
-    readTerm(table, *term, scene);
-    for (const Parameter& parameter : term->parameters) {
-      const std::string_view key = partsOf(parameter.key).last;
-      if (parameter.required && !table.has(key)) table.refuse(key, "nothing, and it is required", "a number");
-    }
+    if (partsOf(term->parameters.front().key).table == name) readTerm(table, *term, scene);
   }
   table.finish();
+  for (const Parameter& parameter : liveParameters()) {
+    const auto [outer, inner, key] = partsOf(parameter.key);
+    if (outer == name && parameter.required && !table.has(key)) {
+      table.refuse(key, "nothing, and it is required", "a number");
+    }
+  }
 }
 
 Displacement readDisplacement(SceneTable table, const Sheet& sheet) {
