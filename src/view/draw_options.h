@@ -24,7 +24,7 @@ struct Colouring {
 
 /// A wind as shown: an arrow along it.
 struct ShownWind {
-  Vec3 velocity;           ///< m/s
+  Vec3 velocity;            ///< m/s
   glm::vec2 at{0.1F, .2F};  ///< the arrow's middle in the picture: shares of its width and height, from the upper left
 };
 

@@ -10,9 +10,7 @@ namespace {
 constexpr int kSides = 24;
 constexpr float kThin = 0.045F, kWide = 0.13F, kNeck = 0.12F;  // radii, and where the head begins; lengths of the arrow
 
-glm::vec3 around(float x, float radius, float angle) {
-  return {x, radius * std::cos(angle), radius * std::sin(angle)};
-}
+glm::vec3 around(float x, float radius, float angle) { return {x, radius * std::cos(angle), radius * std::sin(angle)}; }
 
 /// The band from one ring to the next; a radius of 0 makes it a disc or a cone.
 void addBand(glm::vec2 from, glm::vec2 to, std::vector<SolidVertex>& vertices) {
@@ -31,8 +29,8 @@ void addBand(glm::vec2 from, glm::vec2 to, std::vector<SolidVertex>& vertices) {
 }  // namespace
 
 std::vector<SolidVertex> arrowSolid() {
-  constexpr std::array<glm::vec2, 5> kProfile{glm::vec2{-0.5F, 0}, {-0.5F, kThin}, {kNeck, kThin}, {kNeck, kWide},
-                                              {0.5F, 0}};
+  constexpr std::array<glm::vec2, 5> kProfile{
+      glm::vec2{-0.5F, 0}, {-0.5F, kThin}, {kNeck, kThin}, {kNeck, kWide}, {0.5F, 0}};
   std::vector<SolidVertex> vertices;
   for (std::size_t k = 1; k < kProfile.size(); ++k) addBand(kProfile.at(k - 1), kProfile.at(k), vertices);
   return vertices;

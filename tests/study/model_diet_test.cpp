@@ -84,9 +84,8 @@ TEST(Diet, LeavesOutAirWindAndGustsOneAtATime) {
   scene.winds = {{.velocity = {4, 0, 3}, .gust = {0, 0, 2}, .wavelength = 0.5}, {.velocity = {0, 0, 1}}};
   const auto changed = [&](Change change) { return changesOf(scene, change); };
   const std::vector<Change> all = allChanges();
-  const auto air = std::ranges::find_if(all, [](const Change& change) {
-    return change.kind == Change::LeaveOut && change.term->name == "air";
-  });
+  const auto air = std::ranges::find_if(
+      all, [](const Change& change) { return change.kind == Change::LeaveOut && change.term->name == "air"; });
   ASSERT_NE(air, all.end());
   ASSERT_EQ(changed(*air).size(), 1U);
   EXPECT_EQ(changed(*air)[0].words, "no air");
@@ -110,7 +109,7 @@ TEST(Diet, LeavesOutAirWindAndGustsOneAtATime) {
 TEST(Diet, ASheetInGustsNeedsItsWind) {
   Scene scene = softSheet(Damping::Relative);
   scene.air = {1.2, 1.2};
-  scene.winds = {{.velocity = {2, 0, 3}, .gust = {0, 0, 2}, .wavelength = 0.5}};
+  scene.winds = {{.velocity = {2, 0, 3}, .gust = {0, 0, 6}, .wavelength = 2}};
   scene.duration = 0.5, scene.dt = 0.005;
   const Diet found = diet(scene);
   for (const char* words : {"no air", "no wind", "no gusts"}) {

@@ -23,11 +23,7 @@ std::unique_ptr<Pass> make(const Canvas& canvas) {
 
 /// In the order in which they draw.
 constexpr std::unique_ptr<Pass> (*kPasses[])(const Canvas& canvas){
-    make<SurroundingsPass>,
-    make<SpringPass>,
-    make<ParticlePass>,
-    make<PushPass>,
-    make<WindPass>,
+    make<SurroundingsPass>, make<SpringPass>, make<ParticlePass>, make<PushPass>, make<WindPass>,
 };
 
 std::unique_ptr<const Canvas> makeCanvas(const Sheet& sheet) {

@@ -1,5 +1,5 @@
-// The arrow is uploaded once. It is drawn in the nearest part of the depths, in front of everything, and still hides its
-// own far side.
+// The arrow is uploaded once. It is drawn in the nearest part of the depths, in front of everything, and still hides
+// its own far side.
 #include "gfx/passes/wind_pass.h"
 
 #include <vector>

@@ -101,7 +101,8 @@ std::vector<Change> allChanges() {
   addTerms(true);
   changes.push_back({Change::SpringDamping});
   addTerms(false);
-  for (const Change::Kind kind : {Change::StillAir, Change::SteadyWind, Change::HalfSheet, Change::Float, Change::Step, Change::Method}) {
+  for (const Change::Kind kind :
+       {Change::StillAir, Change::SteadyWind, Change::HalfSheet, Change::Float, Change::Step, Change::Method}) {
     changes.push_back({kind});
   }
   return changes;

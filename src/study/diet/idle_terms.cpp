@@ -51,7 +51,8 @@ template <class Timed>
 bool addTimed(const Scene& scene, const Timed& timed, double size, const std::string& name,
               std::vector<std::string>& idle) {
   if (size == 0 || timed.duration == 0) {
-    idle.push_back(name + (std::is_same_v<Timed, Push> ? " has no force or no length" : " has no velocity or no length"));
+    idle.push_back(name +
+                   (std::is_same_v<Timed, Push> ? " has no force or no length" : " has no velocity or no length"));
   } else if (timed.at >= scene.duration) {
     idle.push_back(name + " begins after the end of the run");
   } else {

@@ -1,4 +1,5 @@
-// The first push, motion or wind says when something happens; a scene without one has swung furthest after a good quarter of a swing.
+// The first push, motion or wind says when something happens; a scene without one has swung furthest after a good
+// quarter of a swing.
 #include "study/motion/telling_moment.h"
 
 #include <algorithm>
