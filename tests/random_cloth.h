@@ -90,9 +90,9 @@ inline Scene randomWindyCloth(unsigned seed, double seconds) {
   const double size = makeSheet(scene).size();
   const double kind = scene.pins.empty() ? 0 : numbers.between(0, 3);
   if (kind < 2) {
-    // From a breeze that hardly lifts the cloth to one whose force is ten times its weight.
+    // From a breeze that hardly lifts the cloth to one whose force is ten times its weight, or a hurricane.
     const double force = scene.particleMass * 9.81 * logBetween(numbers, 0.03, 10);
-    const double speed = std::sqrt(2 * force / (1.2 * 1.2 * scene.spacing * scene.spacing));
+    const double speed = std::min(40.0, std::sqrt(2 * force / (1.2 * 1.2 * scene.spacing * scene.spacing)));
     const Vec3 way = numbers.inCube(1);
     scene.air = {1.2, 1.2};
     scene.winds = {{.velocity = speed / length(way) * way}};

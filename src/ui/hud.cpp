@@ -132,7 +132,7 @@ void Hud::drawWind(const Viewer& viewer, const Colours& colours) const {
   const Vec3& v = wind->velocity;
   const std::string text = fmt::format("wind {:.1f} m/s", std::hypot(v.x, v.y, v.z));
   const ImVec2 screen = screenSize(), extent = extentOf(fonts_.text, size_, text);
-  constexpr float kBelow = 0.1F;  // heights of the window, from the arrow's middle: it is hardly longer
+  constexpr float kBelow = 0.075F;  // heights of the window, from the arrow's middle: it is hardly longer
   write(fonts_.text, size_, {wind->at.x * screen.x - extent.x / 2, (wind->at.y + kBelow) * screen.y}, colours.dim,
         text);
 }

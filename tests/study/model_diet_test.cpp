@@ -111,7 +111,7 @@ TEST(Diet, ASheetInGustsNeedsItsWind) {
   scene.air = {1.2, 1.2};
   scene.winds = {{.velocity = {2, 0, 3}, .gust = {0, 0, 6}, .wavelength = 2}};
   scene.duration = 0.5, scene.dt = 0.005;
-  const Diet found = diet(scene);
+  const Diet found = diet(scene, 1e-3);
   for (const char* words : {"no air", "no wind", "no gusts"}) {
     const DietRow* row = find(found.alone, words);
     ASSERT_NE(row, nullptr) << words;

@@ -189,7 +189,8 @@ std::string runPlan(const Simulation& simulation) {
     if (term->family) continue;
     for (const Parameter& parameter : term->parameters) {
       if (!parameter.decidesPresence && !hasTerm(scene, *term)) continue;
-      text += fmt::format(", {} {} {}", parameter.label, valueText(parameter, scene), parameter.unit);
+      text += fmt::format(", {} {}", parameter.label, valueText(parameter, scene));
+      if (parameter.unit != "1") text += fmt::format(" {}", parameter.unit);
     }
   }
   text += "\n";

@@ -26,7 +26,7 @@ namespace {
 constexpr double kShortestMs = 1e-3, kLongestMs = 100;  // of the step's slider
 constexpr double kFinestMm = 1e-7, kCoarsestMm = 100;   // of the tolerance's
 constexpr int kMostParticles = 512;                     // in a row or column, set by hand
-constexpr float kLabels = 4.6F;                         // width of the names, in sizes of the text
+constexpr float kLabels = 5.2F;                         // width of the names, in sizes of the text
 constexpr int kLog = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp;
 
 void name(const char* text, float size) {

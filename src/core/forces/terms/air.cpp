@@ -49,7 +49,7 @@ constexpr std::array kParameters{
               .mostByHand = 10,
               .digits = 2},
     Parameter{.key = "air.coefficient",
-              .label = "drag coefficient",
+              .label = "coefficient",
               .unit = "1",
               .count = 1,
               .allowed = Allowed::NotNegative,
