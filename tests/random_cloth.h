@@ -82,4 +82,32 @@ inline Scene randomCloth(unsigned seed, double seconds) {
   return scene;
 }
 
+/// The same in a wind with gusts, its pins moved about, or both.
+inline Scene randomWindyCloth(unsigned seed, double seconds) {
+  Scene scene = randomCloth(seed, seconds);
+  Numbers numbers(7777 + seed);
+  for (int k = 0; k < 20; ++k) numbers.coin();
+  const double size = makeSheet(scene).size();
+  const double kind = scene.pins.empty() ? 0 : numbers.between(0, 3);
+  if (kind < 2) {
+    // From a breeze that hardly lifts the cloth to one whose force is ten times its weight, or a hurricane.
+    const double force = scene.particleMass * 9.81 * logBetween(numbers, 0.03, 10);
+    const double speed = std::min(40.0, std::sqrt(2 * force / (1.2 * 1.2 * scene.spacing * scene.spacing)));
+    const Vec3 way = numbers.inCube(1);
+    scene.air = {1.2, 1.2};
+    scene.winds = {{.velocity = speed / length(way) * way}};
+    if (numbers.coin()) {
+      scene.winds[0].gust = numbers.inCube(0.6 * speed), scene.winds[0].wavelength = size * logBetween(numbers, 0.3, 5);
+    }
+    if (numbers.coin()) scene.winds[0].at = seconds * numbers.between(0, 0.5);
+    if (numbers.coin()) scene.winds[0].duration = seconds * numbers.between(0.1, 0.4);
+  }
+  if (kind < 1 || scene.pins.empty()) return scene;
+  for (const Place& pin : scene.pins) {
+    const double at = seconds * numbers.between(0, 0.6), duration = seconds * numbers.between(0.05, 0.4);
+    scene.moves.push_back({{pin}, numbers.inCube(0.3 * size / duration), at, duration});
+  }
+  return scene;
+}
+
 }  // namespace tyg::test

@@ -11,7 +11,7 @@
 #include <limits>
 
 #include "core/forces/field_ops.h"
-#include "core/forces/parameter.h"
+#include "core/forces/term.h"
 #include "integrators/chebyshev.h"
 #include "integrators/chebyshev_table.h"
 #include "integrators/make.h"
@@ -66,7 +66,7 @@ class Rkc2 final : public Integrator<T> {
   }
   /// The waves do not depend on gravity, nor on the tolerance.
   void useParameters(const Scene& scene, const Sheet& /*sheet*/) override {
-    const std::array values{valuesOf(scene, Role::Stiffness), valuesOf(scene, Role::Damping)};
+    const auto values = whatWavesDependOn(scene);
     if (values == modesOf_) return;
     modes_ = chebyshevModes(scene);
     modesOf_ = values;
@@ -79,6 +79,10 @@ class Rkc2 final : public Integrator<T> {
   struct Weights {
     double mu, nu, mt, gt;  // the last two in seconds
   };
+
+  static std::array<std::vector<Vec3>, 3> whatWavesDependOn(const Scene& scene) {
+    return {valuesOf(scene, Role::Stiffness), valuesOf(scene, Role::Damping), {Vec3{cellDamping(scene), 0, 0}}};
+  }
 
   void chooseStages(double h) {
     stages_ = chebyshevStages(modes_, h);
@@ -112,7 +116,7 @@ class Rkc2 final : public Integrator<T> {
   }
 
   std::vector<Mode> modes_;
-  std::array<std::vector<Vec3>, 2> modesOf_;  // stiffness and damping of the scene that modes_ are of
+  std::array<std::vector<Vec3>, 3> modesOf_;  // of the scene that modes_ are of
   State<T> before_, now_, next_;
   VectorField<T> force0_, force_;
   ChebyshevStages stages_;

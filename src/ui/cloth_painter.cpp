@@ -1,7 +1,22 @@
 // A ghost is drawn into the picture of the cloth, as lines alone, with the same renderer.
 #include "ui/cloth_painter.h"
 
+#include <algorithm>
+
+#include "core/forces/terms/air.h"
+#include "view/wind_arrow.h"
+
 namespace tyg {
+
+std::optional<ShownWind> shownWind(const Viewer& viewer) {
+  const ShownState& shown = viewer.run().shown();
+  const glm::vec3 middle = shown.box().centre();
+  const Vec3 wind = windAt(viewer.run().simulation().scene(), shown.time(), {middle.x, middle.y, middle.z});
+  if (wind == Vec3{}) return std::nullopt;
+  const Insets& insets = viewer.view().insets();
+  const auto width = static_cast<float>(std::max(viewer.view().pixels().width, 1));
+  return ShownWind{wind, windArrowPlace(float(insets.left) / width, 1 - float(insets.right) / width)};
+}
 
 ClothPainter::ClothPainter(const Viewer& viewer)
     : renderer_(std::make_unique<SheetRenderer>(viewer.run().simulation().sheet())),
@@ -10,6 +25,7 @@ ClothPainter::ClothPainter(const Viewer& viewer)
 void ClothPainter::draw(const Viewer& viewer, Panels& panels, Extent window) {
   if (sheet_ != viewer.scenes().sheetsSoFar()) *this = ClothPainter(viewer);
   ClothPicture picture{.options = viewer.view().drawOptions()};
+  picture.options.wind = shownWind(viewer);
   panels.paint(picture);
   const glm::ivec2 pixels{window.width, window.height};
   const Camera& camera = viewer.view().camera();

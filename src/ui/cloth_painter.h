@@ -3,12 +3,16 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "gfx/passes/sheet_renderer.h"
 #include "ui/panels/panels.h"
 #include "viewer/viewer.h"
 
 namespace tyg {
+
+/// The wind at the middle of the shown cloth, and where in the window its arrow goes; none where nothing blows.
+std::optional<ShownWind> shownWind(const Viewer& viewer);
 
 class ClothPainter {
  public:

@@ -2,12 +2,14 @@
 // readable and uncut at any scale. The foot of the window is in hud_foot.cpp.
 #include "ui/hud.h"
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "tyg/methods.h"
+#include "ui/cloth_painter.h"
 #include "util/visible_text.h"
 
 namespace tyg {
@@ -119,7 +121,20 @@ void Hud::draw(const Viewer& viewer, Panels& panels) {
   } else if (panels.width(Edge::Left) == 0) {
     write(fonts_.text, size_, {size_, size_ * (1 + kLineRatio)}, colours.dim, "H shows the keys");
   }
+  drawWind(viewer, colours);
   drawArrow(viewer, colours);
+}
+
+/// Its speed, below its arrow.
+void Hud::drawWind(const Viewer& viewer, const Colours& colours) const {
+  const std::optional<ShownWind> wind = shownWind(viewer);
+  if (!wind) return;
+  const Vec3& v = wind->velocity;
+  const std::string text = fmt::format("wind {:.1f} m/s", std::hypot(v.x, v.y, v.z));
+  const ImVec2 screen = screenSize(), extent = extentOf(fonts_.text, size_, text);
+  constexpr float kBelow = 0.075F;  // heights of the window, from the arrow's middle: it is hardly longer
+  write(fonts_.text, size_, {wind->at.x * screen.x - extent.x / 2, (wind->at.y + kBelow) * screen.y}, colours.dim,
+        text);
 }
 
 /// As many lines as fit above `free`, which may be smaller there than elsewhere.

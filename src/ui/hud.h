@@ -52,6 +52,7 @@ class Hud {
   [[nodiscard]] std::string promptText(const Viewer& viewer) const;
   void drawPrompt(const Viewer& viewer, Middle& middle) const;
   void drawFailure(const Viewer& viewer, Middle& middle);
+  void drawWind(const Viewer& viewer, const Colours& colours) const;
   void drawArrow(const Viewer& viewer, const Colours& colours) const;
 
   TextFonts fonts_;

@@ -1,4 +1,4 @@
-// What of a cloth is drawn and how: families of springs, discs, ground, colours, a push.
+// What of a cloth is drawn and how: families of springs, discs, ground, colours, a push, a wind.
 // Must not know: OpenGL, windows, the simulation.
 #pragma once
 
@@ -22,6 +22,12 @@ struct Colouring {
       values{};  ///< Particle: one number for each, valid while it is drawn; any other count: by family
 };
 
+/// A wind as shown: an arrow along it.
+struct ShownWind {
+  Vec3 velocity;            ///< m/s
+  glm::vec2 at{0.1F, .2F};  ///< the arrow's middle in the picture: shares of its width and height, from the upper left
+};
+
 /// What is drawn and how.
 struct DrawOptions {
   bool structural = true, shear = false, bend = false;  ///< families of springs, as lines
@@ -33,6 +39,7 @@ struct DrawOptions {
   bool over = false;              ///< keep what is in the framebuffer and draw the cloth into it (and no ground)
   float opacity = 1;              ///< of the spring lines, 0..1
   Colouring colouring{};
+  std::optional<ShownWind> wind{};
 };
 
 /// A push as shown: an arrow on a particle along a force (N).

@@ -13,9 +13,17 @@
 namespace tyg {
 namespace {
 
-bool pushIsToCome(const Simulation& simulation) {
-  const auto isToCome = [&](const Push& push) { return push.at + push.duration > simulation.time(); };
-  return std::ranges::any_of(simulation.scene().pushes, isToCome);
+/// Does the scene still do something to the cloth, now or later? A steady wind that never ends does not count: the
+/// cloth comes to rest in it.
+bool somethingIsToCome(const Simulation& simulation) {
+  const Scene& scene = simulation.scene();
+  const auto isToCome = [&](const auto& each) { return each.at + each.duration > simulation.time(); };
+  const auto changes = [&](const Wind& wind) {
+    const bool isSteady = wind.gust == Vec3{} && wind.at <= simulation.time() && std::isinf(wind.duration);
+    return !isSteady && isToCome(wind);
+  };
+  return std::ranges::any_of(scene.pushes, isToCome) || std::ranges::any_of(scene.moves, isToCome) ||
+         (scene.air.density > 0 && std::ranges::any_of(scene.winds, changes));
 }
 
 double fastest(const Simulation& simulation) {
@@ -68,7 +76,7 @@ void SleepWatch::follow(const Simulation& simulation, double kinetic) {
   const Sheet& sheet = simulation.sheet();
   const double time = simulation.time(), window = windowOf(simulation);
   const double average = std::sqrt(2 * kinetic / (sheet.count() * sheet.particleMass));
-  if (!(average * window < kSlow * sheet.size()) || pushIsToCome(simulation)) return wake();
+  if (!(average * window < kSlow * sheet.size()) || somethingIsToCome(simulation)) return wake();
   if (windowBegan_ && time < *windowBegan_) wake();
   if (!windowBegan_) windowBegan_ = time;
   now_ = std::max(now_, fastest(simulation));

@@ -42,6 +42,7 @@ class ViewControl {
 
   [[nodiscard]] const Camera& camera() const { return camera_; }
   [[nodiscard]] Extent pixels() const { return pixels_; }  ///< of the window; 0 x 0 while nothing of it can be seen
+  [[nodiscard]] const Insets& insets() const { return insets_; }
   [[nodiscard]] bool visible() const { return pixels_.width > 0 && pixels_.height > 0; }
   [[nodiscard]] const DrawOptions& drawOptions() const { return draw_; }
   [[nodiscard]] bool showsHelp() const { return help_; }  ///< the keys

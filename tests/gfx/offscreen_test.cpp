@@ -130,6 +130,24 @@ TEST_P(OffscreenPicture, IsTheSameForAClothOfMicrometresAndOneOfMegametres) {
   }
 }
 
+TEST_P(OffscreenPicture, ShowsAWindByAnArrowThatPointsItsWayInBothBackgrounds) {
+  for (const Background background : {Background::Dark, Background::Light}) {
+    DrawOptions calm;
+    calm.structural = calm.pins = calm.ground = false, calm.background = background;
+    DrawOptions windy = calm;
+    windy.wind = ShownWind{.velocity = {8, 0, 0}, .at = {0.5F, 0.5F}};
+    const Picture without = drawn(GetParam(), calm), with = drawn(GetParam(), windy);
+    const int pixels = pixelsThatDiffer(without, with);
+    EXPECT_GT(pixels, 20);
+    EXPECT_LT(pixels, kWidth * kHeight / 20);
+    windy.wind->velocity = {-8, 0, 0};
+    EXPECT_GT(pixelsThatDiffer(drawn(GetParam(), windy), with), pixels / 4) << "its head is at the other end";
+    windy.over = true;
+    calm.over = true;
+    EXPECT_EQ(pixelsThatDiffer(drawn(GetParam(), windy), drawn(GetParam(), calm)), 0) << "a ghost has none of its own";
+  }
+}
+
 TEST_P(OffscreenPicture, ShowsEachThingThatIsSwitchedOn) {
   DrawOptions nothing;
   nothing.structural = nothing.pins = false;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/forces/parameter.h"
+#include "core/scene/scene_writer.h"
 #include "integrators/spring_list.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
@@ -49,6 +50,78 @@ TEST(LiveChanges, GoOnAsANewIntegratorWould) {
       }
     }
   }
+}
+
+TEST(LiveChanges, OfAirAndWindGoOnAsANewIntegratorWould) {
+  for (const Precision precision : {Precision::Float, Precision::Double}) {
+    Scene windy = tickingSheet(precision);
+    windy.air = {1.2, 1.2};
+    windy.winds = {{.velocity = {2, 0, 3}, .gust = {0, 1, 0}, .wavelength = 2}};
+    for (const Method& method : methods()) {
+      if (!takes(method, windy)) continue;
+      Simulation inPlace(windy, method), anew(windy, method);
+      for (const Scene& scene : changedScenes(windy)) {
+        inPlace.useLiveParameters(scene), anew.useLiveParameters(scene);
+        anew.useMethod(method);
+        inPlace.tick(3), anew.tick(3);
+        ASSERT_EQ(inPlace.hash(), anew.hash()) << method.name;
+        ASSERT_EQ(inPlace.status(), Status::Ok) << method.name;
+        ASSERT_EQ(inPlace.scene(), scene) << method.name;
+      }
+    }
+  }
+}
+
+TEST(LiveChanges, AWindThatIsAddedAndTakenAwayBlowsBetweenAndIsLoggedAndReplayed) {
+  Scene scene = tickingSheet(Precision::Double);
+  scene.air.density = 1.2;
+  Simulation simulation(scene, findMethod("leapfrog")), still(scene, findMethod("leapfrog"));
+  simulation.tick(20), still.tick(20);
+  const Snapshot before = simulation.save();
+  Scene windy = scene;
+  windy.winds = {{.velocity = {0, 0, 4}, .gust = {1, 0, 2}, .wavelength = 0.7}};
+  simulation.useLiveParameters(windy);
+  simulation.tick(20), still.tick(20);
+  EXPECT_EQ(simulation.scene().winds, windy.winds);
+  EXPECT_NE(simulation.hash(), still.hash());
+  EXPECT_GT(simulation.ledger().work["wind"], 0);
+  simulation.useLiveParameters(scene);
+  EXPECT_TRUE(simulation.scene().winds.empty());
+  const double brought = simulation.ledger().work["wind"];
+  EXPECT_GT(brought, 0) << "what the wind has brought stays in the ledger";
+  simulation.tick(20);
+  EXPECT_EQ(simulation.ledger().work["wind"], brought);
+  const EventLog log = parseEventLog(formatEventLog(simulation.log()), "log");
+  Simulation again(scene, findMethod("leapfrog"));
+  again.replay(log, methods());
+  again.tick(60);
+  EXPECT_EQ(again.hash(), simulation.hash());
+  simulation.restore(before);
+  EXPECT_TRUE(simulation.scene().winds.empty());
+  still = Simulation(scene, findMethod("leapfrog"));
+  still.tick(25);
+  simulation.tick(5);
+  EXPECT_EQ(simulation.hash(), still.hash());
+}
+
+TEST(LiveChanges, OfAWindLeaveASceneThatReadsBack) {
+  Scene scene = loadScene("flutter");
+  const auto set = [&](const char* key, const Vec3& value) { findParameter(key)->set(scene, value); };
+  const auto readsBack = [&] {
+    Scene back = parseScene(sceneToToml(scene), scene.name);
+    return back == scene;
+  };
+  set("wind.velocity", {});
+  EXPECT_EQ(scene.winds.front().gust, Vec3{}) << "gusts travel with a wind";
+  EXPECT_TRUE(readsBack());
+  set("wind.velocity", {0, 0, 3}), set("wind.wavelength", {}), set("wind.gust", {1, 0, 0});
+  EXPECT_GT(scene.winds.front().wavelength, 0);
+  EXPECT_TRUE(readsBack());
+  set("air.density", {});
+  EXPECT_TRUE(readsBack()) << "a wind needs the table [air]";
+  set("wind.velocity", {}), set("wind.wavelength", {});
+  EXPECT_TRUE(scene.winds.empty());
+  EXPECT_TRUE(readsBack());
 }
 
 TEST(LiveChanges, OfGravityKeepTheStartShapeAtHeightZero) {

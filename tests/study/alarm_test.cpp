@@ -125,6 +125,20 @@ TEST(Alarm, IsNotRaisedByPushesHoweverStrong) {
   EXPECT_EQ(simulation.status(), Status::Ok);
 }
 
+TEST(Alarm, HasAScaleThatDoesNotGrowForEverInAWind) {
+  Scene scene = withSheet(loadScene("flutter"), 12, 8);
+  scene.integrator = "leapfrog";
+  const auto scaleAt = [&](double time) {
+    Simulation simulation(scene, findMethod(scene.integrator));
+    simulation.advanceTo(time);
+    EXPECT_EQ(simulation.status(), Status::Ok);
+    return simulation.ledger();
+  };
+  const Ledger early = scaleAt(2), late = scaleAt(20);
+  EXPECT_GT(late.work["wind"], 8 * early.work["wind"]);
+  EXPECT_LT(late.scale, 2 * early.scale);
+}
+
 TEST(Alarm, IsNotRaisedByTheFirstStepsOfAPushWithNothingElseToCompareThemTo) {
   Scene scene = emptyWorld(1, 1);
   scene.pushes = {{{"middle"}, {1, 0, 0}, 0, 1}};

@@ -13,7 +13,8 @@ namespace {
 
 TEST(IdleTerms, ASceneWhoseEveryTermActsGetsNoNote) {
   EXPECT_TRUE(idleTerms(softSheet(Damping::Relative)).empty());
-  for (const char* name : {"curtain", "flag", "poke", "hammock", "chain", "stiff", "wet", "four-particles", "spring"}) {
+  for (const char* name : {"curtain", "flag", "poke", "hammock", "chain", "stiff", "wet", "four-particles", "spring",
+                           "flutter", "drawn"}) {
     EXPECT_TRUE(idleTerms(loadScene(name)).empty()) << name << ": " << idleTerms(loadScene(name)).front();
   }
 }
@@ -39,6 +40,32 @@ TEST(IdleTerms, EachIdleTermIsNamedAndItsAbsenceCannotBeSeen) {
   scene.dt = fuller.dt = 5e-3;
   const Distance apart = motionError(sampledRun(fuller, method, times), sampledRun(scene, method, times));
   EXPECT_LT(apart.largest, kSeen * makeSheet(scene).size());
+}
+
+TEST(IdleTerms, WindsAndMotionsWithoutEffectAreNamed) {
+  Scene scene = softSheet(Damping::Relative);
+  scene.air = {1.2, 1.2};
+  scene.winds = {{.velocity = {1, 0, 0}}, {}, {.velocity = {1, 0, 0}, .at = 5}, {.velocity = {1, 0, 0}, .duration = 0}};
+  const std::vector<Place> pin = {{"top-left"}};
+  scene.moves = {{pin, {1, 0, 0}, 0, 0.1}, {pin, {}, 0, 1}, {pin, {1, 0, 0}, 5, 1}, {pin, {1, 0, 0}, 0, 0}};
+  const auto count = [](const Scene& of, const char* words) {
+    return std::ranges::count_if(idleTerms(of), [&](const std::string& idle) { return idle.rfind(words, 0) == 0; });
+  };
+  EXPECT_EQ(idleTerms(scene).size(), 6U);
+  EXPECT_EQ(count(scene, "wind 1") + count(scene, "move 1"), 0);
+  for (const char* words : {"wind 2", "wind 3", "wind 4", "move 2", "move 3", "move 4"}) {
+    EXPECT_EQ(count(scene, words), 1) << words;
+  }
+  scene.air.density = 0;
+  EXPECT_EQ(count(scene, "wind 1"), 1);
+  scene.air.density = 1.2, scene.rows = 1;
+  EXPECT_EQ(count(scene, "air"), 1);
+}
+
+TEST(IdleTerms, ASheetThatFallsInAirStretchesItsSprings) {
+  Scene scene = loadScene("drop");
+  scene.air = {1.2, 1.2};
+  EXPECT_TRUE(idleTerms(scene).empty());
 }
 
 TEST(IdleTerms, AChainHasNoShear) {

@@ -78,6 +78,48 @@ TEST(Diet, AChainNeedsNoShearButItsDamping) {
   EXPECT_GT(found.reduced().scene.structural.kd, 0);
 }
 
+TEST(Diet, LeavesOutAirWindAndGustsOneAtATime) {
+  Scene scene = softSheet(Damping::Relative);
+  scene.air = {1.2, 1.2};
+  scene.winds = {{.velocity = {4, 0, 3}, .gust = {0, 0, 2}, .wavelength = 0.5}, {.velocity = {0, 0, 1}}};
+  const auto changed = [&](Change change) { return changesOf(scene, change); };
+  const std::vector<Change> all = allChanges();
+  const auto air = std::ranges::find_if(
+      all, [](const Change& change) { return change.kind == Change::LeaveOut && change.term->name == "air"; });
+  ASSERT_NE(air, all.end());
+  ASSERT_EQ(changed(*air).size(), 1U);
+  EXPECT_EQ(changed(*air)[0].words, "no air");
+  EXPECT_EQ(changed(*air)[0].scene.air.density, 0);
+  for (const Change::Kind kind : {Change::StillAir, Change::SteadyWind}) {
+    EXPECT_NE(std::ranges::find(all, Change{kind}), all.end());
+    ASSERT_EQ(changed({kind}).size(), 1U);
+    EXPECT_EQ(changed({kind})[0].scene.air, scene.air);
+  }
+  EXPECT_TRUE(changed({Change::StillAir})[0].scene.winds.empty());
+  const std::vector<Wind> steady = changed({Change::SteadyWind})[0].scene.winds;
+  ASSERT_EQ(steady.size(), 2U);
+  EXPECT_EQ(steady[0].velocity, scene.winds[0].velocity);
+  EXPECT_EQ(steady[0].gust, Vec3{});
+  scene.winds.erase(scene.winds.begin());
+  EXPECT_TRUE(changed({Change::SteadyWind}).empty()) << "there are no gusts to leave out";
+  scene.winds.clear();
+  EXPECT_TRUE(changed({Change::StillAir}).empty());
+}
+
+TEST(Diet, ASheetInGustsNeedsItsWind) {
+  Scene scene = softSheet(Damping::Relative);
+  scene.air = {1.2, 1.2};
+  scene.winds = {{.velocity = {2, 0, 3}, .gust = {0, 0, 6}, .wavelength = 2}};
+  scene.duration = 0.5, scene.dt = 0.005;
+  const Diet found = diet(scene, 1e-3);
+  for (const char* words : {"no air", "no wind", "no gusts"}) {
+    const DietRow* row = find(found.alone, words);
+    ASSERT_NE(row, nullptr) << words;
+    EXPECT_FALSE(row->within) << words;
+  }
+  EXPECT_EQ(find(found.alone, "imex"), nullptr);
+}
+
 TEST(Diet, AHeavilyDampedSheetNeedsNoFourthOrder) {
   Scene scene = softSheet(Damping::Relative);
   scene.structural.kd = scene.shear.kd = scene.bend.kd = 20;

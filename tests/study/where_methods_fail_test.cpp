@@ -88,6 +88,36 @@ TEST(WhereMethodsFail, AlarmedAboveTheLimitOfEveryMethodOverRandomSheets) {
   });
 }
 
+/// The same held at its left edge in a wind at some angle: so strong an air that it damps waves by up to a third of
+/// their frequency, and so slow a wind that it hardly bends the sheet.
+Scene windy(Scene scene, unsigned seed) {
+  Numbers numbers(1000 + seed);
+  for (int k = 0; k < 20; ++k) numbers.coin();
+  const double frequency = std::sqrt(8 * scene.structural.ks / scene.particleMass);
+  const double speed = 3e-3 * frequency * scene.spacing, damping = frequency * logBetween(numbers, 0.03, 0.3);
+  const Vec3 way = numbers.inCube(1);
+  scene.air = {.density = damping * scene.particleMass / (1.2 * scene.spacing * scene.spacing * speed),
+               .coefficient = 1.2};
+  scene.winds = {{.velocity = speed / length(way) * way,
+                  .gust = numbers.inCube(0.5 * speed),
+                  .wavelength = numbers.between(2, 9) * scene.spacing}};
+  scene.pins = {{"left"}};
+  return scene;
+}
+
+TEST(WhereMethodsFail, QuietBelowAndAlarmedAboveTheLimitOfEveryMethodOverRandomSheetsInWind) {
+  constexpr int kSteps = 300, kMoreSteps = 1500;
+  forLimitedMethods([&, seed = 0U](const Scene& scene, const Method& method, double /*limit*/) mutable {
+    const Scene inWind = windy(scene, ++seed);
+    if (!takes(method, inWind)) return;
+    const double limit = restLatticeLimit(inWind, method);
+    ASSERT_GT(limit, 0) << method.name << " " << scene.name;
+    EXPECT_EQ(after(inWind, method, kBelow * limit, kSteps), Status::Ok) << method.name << " " << scene.name;
+    if (leavesSlowly(method, inWind)) return;
+    EXPECT_NE(after(inWind, method, kAbove * limit, kMoreSteps), Status::Ok) << method.name << " " << scene.name;
+  });
+}
+
 /// A small sheet moved within its plane only, where nothing buckles however long the run.
 Scene inItsPlane(unsigned seed) {
   Scene scene = trembling(seed);

@@ -27,6 +27,17 @@ TEST(SceneChange, SpringsGravityDragAndToleranceAreTakenLive) {
   EXPECT_EQ(changeBetween(curtain(), other), SceneChange::Restart);
 }
 
+TEST(SceneChange, AirAndTheFirstWindAreTakenLiveAndAnotherWindRestarts) {
+  Scene other = curtain();
+  other.air = {1.2, 1.3};
+  other.winds = {{.velocity = {3, 0, 1}, .gust = {0, 0, 1}, .wavelength = 2}};
+  EXPECT_EQ(changeBetween(curtain(), other), SceneChange::Live);
+  EXPECT_EQ(changeBetween(other, curtain()), SceneChange::Live);
+  Scene second = other;
+  second.winds.push_back({.velocity = {1, 0, 0}});
+  EXPECT_EQ(changeBetween(other, second), SceneChange::Restart);
+}
+
 TEST(SceneChange, PrecisionRestartsAndAnotherGridIsANewSheet) {
   Scene other = curtain();
   other.precision = Precision::Float;
@@ -71,6 +82,23 @@ TEST_F(SceneUse, OtherGravityActsOnTheMovingClothAndGoesBackWithIt) {
   EXPECT_EQ(viewer_.run().simulation().scene().gravity, curtain().gravity);
   viewer_.perform(InputAction::Restart);
   EXPECT_EQ(viewer_.run().simulation().scene().gravity, curtain().gravity);
+}
+
+TEST_F(SceneUse, AWindBlowsAtTheMovingClothAndGoesBackWithIt) {
+  viewer_.perform(InputAction::StartOrPause);
+  run(20);
+  const double time = viewer_.run().shown().time();
+  Scene windy = viewer_.scenes().scene();
+  windy.air.density = 1.2;
+  windy.winds = {{.velocity = {0, 0, 5}, .gust = {2, 0, 0}, .wavelength = 1}};
+  EXPECT_EQ(viewer_.scenes().use(windy), SceneChange::Live);
+  EXPECT_EQ(viewer_.run().shown().time(), time);
+  EXPECT_EQ(viewer_.run().simulation().scene().winds, windy.winds);
+  run(20);
+  viewer_.run().turnToTime(time / 2);
+  run(3);
+  EXPECT_EQ(viewer_.scenes().scene(), curtain());
+  EXPECT_EQ(viewer_.run().simulation().scene(), curtain());
 }
 
 TEST_F(SceneUse, AnotherSceneRunsOnFromItsStart) {

@@ -45,6 +45,18 @@ TEST(SleepWatch, SaysThatADampedClothComesToRest) {
   }
 }
 
+TEST(SleepWatch, LetsNothingSleepWhileGustsBlowOrAMotionIsToCome) {
+  Scene scene = hung(6);
+  scene.spacing = 0.1, scene.particleMass = 0.018, scene.drag = 0.2, scene.dt = 0.001, scene.duration = 60;
+  scene.moves = {{{{"top"}}, {}, 60, 1}};
+  EXPECT_FALSE(sleepTime(scene));
+  scene.moves.clear();
+  scene.air = {1.2, 1.2}, scene.winds = {{.velocity = {0, 0, 1}, .gust = {1e-9, 0, 0}, .wavelength = 1000}};
+  EXPECT_FALSE(sleepTime(scene));
+  scene.winds[0].gust = {}, scene.winds[0].wavelength = 0;
+  EXPECT_TRUE(sleepTime(scene)) << "in a steady wind it comes to rest";
+}
+
 TEST(SleepWatch, LetsNothingSleepThatFallsInTheWeakestGravity) {
   for (const Precision precision : {Precision::Float, Precision::Double}) {
     for (const double gravity : {5e-4, 1e-6, 1e-9}) {

@@ -12,6 +12,7 @@
 #include "app/output/exit_code.h"
 #include "app/output/progress.h"
 #include "app/reports/run_report.h"
+#include "core/forces/terms/air.h"
 #include "gfx/contexts/offscreen.h"
 #include "gfx/movie.h"
 #include "study/limits/stability.h"
@@ -21,6 +22,7 @@
 #include "util/file_names.h"
 #include "util/interrupt.h"
 #include "util/whole_file.h"
+#include "view/wind_arrow.h"
 
 namespace tyg {
 namespace {
@@ -97,7 +99,9 @@ class Studio {
 
   const Picture& draw(Motion3d& motion, Camera& camera) {
     camera.watch(boxAround(motion.xyz()));
-    renderer_.draw(motion.xyz(), camera, request_.size, request_.draw, pushNow(motion.simulation()));
+    DrawOptions options = request_.draw;
+    options.wind = windNow(motion.simulation(), camera.watched());
+    renderer_.draw(motion.xyz(), camera, request_.size, options, pushNow(motion.simulation()));
     offscreen_->readPixels(picture_);
     return picture_;
   }
@@ -111,6 +115,14 @@ class Studio {
       }
     }
     return std::nullopt;
+  }
+
+  /// At the middle of the cloth; none where the scene has no wind.
+  static std::optional<ShownWind> windNow(const Simulation& simulation, const Box& cloth) {
+    const glm::vec3 middle = cloth.centre();
+    const Vec3 wind = windAt(simulation.scene(), simulation.time(), {middle.x, middle.y, middle.z});
+    if (wind == Vec3{}) return std::nullopt;
+    return ShownWind{wind, windArrowPlace()};
   }
 
   const RenderRequest& request_;

@@ -10,6 +10,7 @@
 
 #include "app/reports/json.h"
 #include "core/forces/term.h"
+#include "core/simulation/timetable.h"
 #include "study/diet/idle_terms.h"
 #include "util/text.h"
 #include "util/visible_text.h"
@@ -37,17 +38,28 @@ std::string valueText(const Parameter& parameter, const Scene& scene) {
                               : fmt::format("({:.4g}, {:.4g}, {:.4g})", value.x, value.y, value.z);
 }
 
-/// The times inside the run at which a scene's push begins or ends.
-std::vector<double> pushEdges(const Scene& scene) {
-  std::vector<double> edges{0, scene.duration};
-  for (const Push& push : scene.pushes) {
-    for (const double edge : {push.at, push.at + push.duration}) {
-      if (edge > 0 && edge < scene.duration) edges.push_back(edge);
-    }
+/// The run from one begin or end of a push, a wind or a motion to the next.
+std::string spansText(const Scene& scene) {
+  std::vector<double> edges = edgesWithin(scene);
+  edges.insert(edges.begin(), 0);
+  edges.push_back(scene.duration);
+  std::string text;
+  for (std::size_t k = 1; k < edges.size(); ++k) {
+    text += fmt::format("span {}: {:.6g} s to {:.6g} s\n", k, edges[k - 1], edges[k]);
   }
-  std::ranges::sort(edges);
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
+  return text;
+}
+
+/// Winds and motions, where there are any; the first wind is among the parameters.
+std::string actionsText(const Scene& scene) {
+  std::string text;
+  if (scene.winds.size() > 1) text += fmt::format("{} winds, of which the first is named above\n", scene.winds.size());
+  for (std::size_t k = 0; k < scene.moves.size(); ++k) {
+    const Move& move = scene.moves[k];
+    text += fmt::format("move {}: ({:.4g}, {:.4g}, {:.4g}) m/s from {:.6g} s to {:.6g} s\n", k + 1, move.velocity.x,
+                        move.velocity.y, move.velocity.z, move.at, move.at + move.duration);
+  }
+  return text;
 }
 
 std::string accuracyAsked(const Simulation& simulation) {
@@ -175,7 +187,9 @@ std::string runPlan(const Simulation& simulation) {
   for (const ForceTerm* term : forceTerms()) {
     if (term->family) continue;
     for (const Parameter& parameter : term->parameters) {
-      text += fmt::format(", {} {} {}", parameter.label, valueText(parameter, scene), parameter.unit);
+      if (!parameter.decidesPresence && !hasTerm(scene, *term)) continue;
+      text += fmt::format(", {} {}", parameter.label, valueText(parameter, scene));
+      if (parameter.unit != "1") text += fmt::format(" {}", parameter.unit);
     }
   }
   text += "\n";
@@ -184,10 +198,7 @@ std::string runPlan(const Simulation& simulation) {
                       evaluations < 0
                           ? "as many force evaluations a step as it needs"
                           : fmt::format("{} force evaluation{} a step", evaluations, evaluations == 1 ? "" : "s"));
-  const std::vector<double> edges = pushEdges(scene);
-  for (std::size_t k = 1; k < edges.size(); ++k) {
-    text += fmt::format("span {}: {:.6g} s to {:.6g} s\n", k, edges[k - 1], edges[k]);
-  }
+  text += actionsText(scene) + spansText(scene);
   for (const std::string& idle : idleTerms(scene)) text += "note: changes nothing visible: " + idle + "\n";
   return text;
 }

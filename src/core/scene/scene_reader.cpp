@@ -55,6 +55,7 @@ void readSheet(SceneTable table, Scene& scene) {
 void readTerm(SceneTable& table, const ForceTerm& term, Scene& scene) {
   const auto readFrom = [&](SceneTable& own) {
     for (const Parameter& parameter : term.parameters) {
+      if (parameter.ofList) continue;
       const std::string_view key = partsOf(parameter.key).last;
       Vec3 value = parameter.get(scene);
       parameter.count == 1 ? own.number(key, value.x, parameter.allowed) : own.vector(key, value);

@@ -104,6 +104,7 @@ void writeTerm(Writer& out, const ForceTerm& term, const Scene& scene) {
   const bool isThere = hasTerm(scene, term);
   const auto isOwn = [&](const Parameter& parameter) {
     if (!isThere && !parameter.decidesPresence) return false;
+    if (parameter.ofList) return false;
     return parameter.get(scene) != parameter.get(kEmptyWorld) || (isThere && parameter.required);
   };
   const std::string_view inner = partsOf(term.parameters.front().key).inner;
@@ -125,7 +126,8 @@ void writeTerms(Writer& out, std::string_view name, const Scene& scene) {
   for (const ForceTerm* term : forceTerms()) {
     if (partsOf(term->parameters.front().key).table == name) writeTerm(lines, *term, scene);
   }
-  const std::string text = lines.text();
+  std::string text = lines.text();
+  if (text.empty() && name == kAirTable && !scene.winds.empty()) text = "density = 0\n";  // a wind needs the table
   if (text.empty()) return;
   out.table("[" + std::string(name) + "]");
   out.append(text);

@@ -17,6 +17,8 @@ KeyParts partsOf(std::string_view key);
 
 /// The table that holds the springs' law of damping besides its terms.
 inline constexpr std::string_view kSpringsTable = "springs";
+/// The table that has to be there where a scene has [[wind]].
+inline constexpr std::string_view kAirTable = "air";
 /// The names of all tables that hold terms, each once, in the order of the terms.
 std::vector<std::string_view> tablesOfTerms();
 

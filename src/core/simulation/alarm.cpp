@@ -23,6 +23,7 @@ double hundredthStretch(const Scene& scene, const Sheet& sheet) {
 
 void Alarm::lose(double power, double time) {
   lost_ = lost_ * (1 - 1 / kMemory) + std::min(power, lastPower_) * (time - lastTime_);
+  flowedLately_ *= 1 - 1 / kMemory;
   lastPower_ = power, lastTime_ = time;
   lossIsPresent_ = true;
 }
@@ -34,10 +35,12 @@ void Alarm::Sum::take(double value, double large, bool first) {
   if (value > lowest) largestRise = std::max(largestRise, (value - lowest) / large);
 }
 
-Status Alarm::check(const StoredEnergy& energy, double work) {
+Status Alarm::check(const StoredEnergy& energy, double work, double flowing) {
   const double stored = energy.sum() - work;
   if (!std::isfinite(stored + lost_)) return Status::NotFinite;
-  largest_ = std::max({largest_, energy.sizeSinceStart(), std::abs(work)});
+  if (checked_) flowedLately_ += std::abs(flowing - flowedBefore_);
+  flowedBefore_ = flowing;
+  largest_ = std::max({largest_, energy.sizeSinceStart(), std::abs(work - flowing), flowedLately_});
   const double large = scale() + firstSteps_;
   stored_.take(stored, large, !checked_);
   if (lossIsPresent_) balance_.take(stored + lost_, large, !checked_);

@@ -35,10 +35,12 @@ class Alarm {
   /// over the first steps, and are nothing later.
   void expect(double forcing, double h);
   /// Takes the energies at one time (J) and returns the status of the run. May be called as often as one likes: the
-  /// balance changes only with the first check after lose(), when stored and lost energy are of the same time.
-  Status check(const StoredEnergy& energy, double work);
+  /// balance changes only with the first check after lose(), when stored and lost energy are of the same time. Of `work`,
+  /// `flowing` is what winds and moving pins have done: it may grow for ever while all of it is lost again.
+  Status check(const StoredEnergy& energy, double work, double flowing = 0);
 
-  /// S: the largest over the run of |G|, |W| and K + E at the start, plus the floor, J.
+  /// S: the largest over the run of |G|, the |W| of pushes, what else did work during about the last kMemory regular
+  /// checks, and K + E at the start, plus the floor, J.
   [[nodiscard]] double scale() const { return largest_ + floor_; }
   /// The largest rises so far of the two sums above their lowest before, as fractions of the scale and what first steps
   /// are given: what the threshold is for.
@@ -52,6 +54,7 @@ class Alarm {
   };
 
   double floor_ = 0, largest_ = 0, firstSteps_ = 0;
+  double flowedLately_ = 0, flowedBefore_ = 0;
   double lost_ = 0, lastPower_ = 0, lastTime_ = 0;
   Sum stored_, balance_;
   bool checked_ = false, lossIsPresent_ = true;

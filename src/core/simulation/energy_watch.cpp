@@ -15,7 +15,7 @@ void EnergyWatch::turn(Status status, double time) {
 void EnergyWatch::check(const EnergySample& sample) {
   const StoredEnergy energy = sample.stored.since(start_);
   maxStretch_ = std::max(maxStretch_, energy.maxStretch);
-  turn(alarm_.check(energy, sample.work()), sample.time);
+  turn(alarm_.check(energy, sample.work(), sample.flowing()), sample.time);
 }
 
 double EnergyWatch::sum(const EnergySample& sample) const {
@@ -34,7 +34,7 @@ Ledger EnergyWatch::ledger(const EnergySample& sample) {
   for (std::size_t k = 0; k < kStores.count; ++k) ledger.stored.add(kStores.list[k].name, energy.stored[k]);
   ledger.work.add("pushes", sample.pushes);
   for (std::size_t k = 0; k < kSupplies.size(); ++k) {
-    if (named_.supplies[k]) ledger.work.add(kSupplies[k], sample.passed.supplied[k]);
+    if (named_.supplies[k] || sample.passed.supplied[k] != 0) ledger.work.add(kSupplies[k], sample.passed.supplied[k]);
   }
   if (named_.pins) ledger.work.add("pins", sample.passed.pins);
   if (followsLedger_ && ledger.scale > 0) ledger.drift = (sum(sample) - startSum_) / ledger.scale;

@@ -18,8 +18,10 @@ struct EnergySample {
   double time = 0;    ///< s
 
   /// All that was put in so far.
-  [[nodiscard]] double work() const {
-    double sum = pushes + passed.pins;
+  [[nodiscard]] double work() const { return pushes + flowing(); }
+  /// By terms and pins alone.
+  [[nodiscard]] double flowing() const {
+    double sum = passed.pins;
     for (const double supplied : passed.supplied) sum += supplied;
     return sum;
   }

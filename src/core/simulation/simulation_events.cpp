@@ -50,6 +50,7 @@ void Simulation::Impl::perform(const WorldEvent& change, std::span<const Method>
   }
   const Vec3 before = parameter->get(scene);
   const double mechanical = run.energies.mechanical(backend->energy());
+  checkSupply();
   parameter->set(scene, change.value);
   try {
     refuseExtremeParameters(scene);
@@ -59,6 +60,7 @@ void Simulation::Impl::perform(const WorldEvent& change, std::span<const Method>
     throw;
   }
   applyTimetable();
+  checkSupply();
   forcing = run.pushes.forcing(scene, sheet);
   const StoredEnergy energy = backend->energy();
   run.energies.begin(scene, sheet, backend->startEnergy(), energy);
@@ -67,7 +69,7 @@ void Simulation::Impl::perform(const WorldEvent& change, std::span<const Method>
 }
 
 void Simulation::Impl::applyTimetable() {
-  if (!scene.winds.empty()) backend->blow(blowingAt(scene, now()));
+  backend->blow(blowingAt(scene, now()));
   if (!scene.moves.empty()) backend->movePins(run.pins.moving());
 }
 

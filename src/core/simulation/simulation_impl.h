@@ -44,6 +44,8 @@ struct Simulation::Impl {
   [[nodiscard]] Instant now() const;
   /// W, where terms of the scene can bring energy; else 0.
   [[nodiscard]] Power powerToSupply() const;
+  /// To be called on both sides of a jump of that power.
+  void checkSupply() { run.supply.check(powerToSupply(), run.clock.time()); }
 
   // simulation_steps.cpp
   void runTo(double end);

@@ -60,8 +60,10 @@ void Simulation::Impl::switchWhatActs() {
   bool changes = run.pushes.switchAt(now(), *backend);
   if (changes) applyPushes();
   if (timetable.isEdge(now())) {
+    checkSupply();
     run.pins.switchAt(scene, sheet, now(), *backend);
     applyTimetable();
+    checkSupply();
     changes = true;
   }
   if (changes) backend->reset();

@@ -7,14 +7,33 @@
 
 namespace tyg {
 
+namespace {
+
+template <class Timed>
+void addEdges(const std::vector<Timed>& all, std::vector<double>& edges) {
+  for (const Timed& each : all) {
+    edges.push_back(each.at);
+    if (std::isfinite(each.duration)) edges.push_back(each.at + each.duration);
+  }
+}
+
+}  // namespace
+
 Timetable::Timetable(const Scene& scene) {
-  const auto add = [this](const auto& each) {
-    edges_.push_back(each.at);
-    if (std::isfinite(each.duration)) edges_.push_back(each.at + each.duration);
-  };
-  std::ranges::for_each(scene.winds, add);
-  std::ranges::for_each(scene.moves, add);
+  addEdges(scene.winds, edges_);
+  addEdges(scene.moves, edges_);
   std::ranges::sort(edges_);
+}
+
+std::vector<double> edgesWithin(const Scene& scene) {
+  std::vector<double> edges;
+  addEdges(scene.pushes, edges);
+  addEdges(scene.winds, edges);
+  addEdges(scene.moves, edges);
+  std::erase_if(edges, [&](double edge) { return !(edge > 0 && edge < scene.duration); });
+  std::ranges::sort(edges);
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
 }
 
 double Timetable::nextEdge(const Instant& now, double end) const {

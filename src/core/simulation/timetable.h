@@ -22,6 +22,9 @@ class Timetable {
   std::vector<double> edges_;  ///< s, ascending
 };
 
+/// The times within a run at which a push, a wind or a motion of its scene begins or ends, each once, ascending, s.
+std::vector<double> edgesWithin(const Scene& scene);
+
 /// The winds of a scene that blow from now until the next edge.
 std::vector<Wind> blowingAt(const Scene& scene, const Instant& now);
 

@@ -13,7 +13,8 @@ constexpr Palette kDark{.background = rgb(0x14181f),
                         .bend = rgb(0x009e73),
                         .particle = rgb(0xf2f6fa),
                         .pin = rgb(0xff7a1f),
-                        .push = rgb(0xf0e442)};
+                        .push = rgb(0xf0e442),
+                        .wind = rgb(0xcc79a7)};
 constexpr Palette kLight{.background = rgb(0xf6f7f8),
                          .sky = rgb(0xfafbfc),
                          .ground = rgb(0xeceef0),
@@ -23,7 +24,8 @@ constexpr Palette kLight{.background = rgb(0xf6f7f8),
                          .bend = rgb(0x009e73),
                          .particle = rgb(0x101418),
                          .pin = rgb(0xd55e00),
-                         .push = rgb(0xb0306a)};
+                         .push = rgb(0xb0306a),
+                         .wind = rgb(0x7a5fb0)};
 
 }  // namespace
 

@@ -12,7 +12,7 @@ namespace tyg {
 /// well; on light ground darker ones.
 struct Palette {
   glm::vec3 background, sky, ground, grid;
-  glm::vec3 structural, shear, bend, particle, pin, push;
+  glm::vec3 structural, shear, bend, particle, pin, push, wind;
 };
 const Palette& paletteOf(Background background);
 

@@ -10,6 +10,7 @@
 #include "gfx/passes/push_pass.h"
 #include "gfx/passes/spring_pass.h"
 #include "gfx/passes/surroundings_pass.h"
+#include "gfx/passes/wind_pass.h"
 #include "tyg/input_error.h"
 
 namespace tyg {
@@ -22,10 +23,7 @@ std::unique_ptr<Pass> make(const Canvas& canvas) {
 
 /// In the order in which they draw.
 constexpr std::unique_ptr<Pass> (*kPasses[])(const Canvas& canvas){
-    make<SurroundingsPass>,
-    make<SpringPass>,
-    make<ParticlePass>,
-    make<PushPass>,
+    make<SurroundingsPass>, make<SpringPass>, make<ParticlePass>, make<PushPass>, make<WindPass>,
 };
 
 std::unique_ptr<const Canvas> makeCanvas(const Sheet& sheet) {

@@ -1,4 +1,4 @@
-// Draws a sheet with OpenGL 3.3 core, pass by pass: surroundings, springs, particles and pins, a push.
+// Draws a sheet with OpenGL 3.3 core, pass by pass: surroundings, springs, particles and pins, a push, a wind.
 // Must not know: windows, how the context came about, the simulation (it is given positions).
 #pragma once
 

@@ -19,6 +19,7 @@ constexpr int kFewestSteps = 20;  // of a run: longer ones would leave out sampl
 std::vector<Changed> withoutTerm(Scene scene, const ForceTerm& term) {
   if (!hasTerm(scene, term)) return {};
   leaveOut(scene, term);
+  if (!(scene.air.density > 0)) scene.winds.clear();  // which blow nothing any more
   return {{fmt::format("no {}", term.name), std::move(scene)}};
 }
 
@@ -26,6 +27,19 @@ std::vector<Changed> withUndampedSprings(const Scene& scene) {
   Scene undamped = withoutSpringDamping(scene);
   if (undamped == scene) return {};
   return {{"no spring damping", std::move(undamped)}};
+}
+
+std::vector<Changed> inStillAir(Scene scene) {
+  if (!(scene.air.density > 0) || scene.winds.empty()) return {};
+  scene.winds.clear();
+  return {{"no wind", std::move(scene)}};
+}
+
+std::vector<Changed> withoutGusts(Scene scene) {
+  const auto gusts = [](const Wind& wind) { return wind.gust != Vec3{}; };
+  if (!(scene.air.density > 0) || std::ranges::none_of(scene.winds, gusts)) return {};
+  for (Wind& wind : scene.winds) wind.gust = {}, wind.wavelength = 0;
+  return {{"no gusts", std::move(scene)}};
 }
 
 std::vector<Changed> onHalfTheSheet(const Scene& scene) {
@@ -87,7 +101,8 @@ std::vector<Change> allChanges() {
   addTerms(true);
   changes.push_back({Change::SpringDamping});
   addTerms(false);
-  for (const Change::Kind kind : {Change::HalfSheet, Change::Float, Change::Step, Change::Method}) {
+  for (const Change::Kind kind :
+       {Change::StillAir, Change::SteadyWind, Change::HalfSheet, Change::Float, Change::Step, Change::Method}) {
     changes.push_back({kind});
   }
   return changes;
@@ -99,6 +114,10 @@ std::vector<Changed> changesOf(const Scene& scene, const Change& change) {
       return withoutTerm(scene, *change.term);
     case Change::SpringDamping:
       return withUndampedSprings(scene);
+    case Change::StillAir:
+      return inStillAir(scene);
+    case Change::SteadyWind:
+      return withoutGusts(scene);
     case Change::HalfSheet:
       return onHalfTheSheet(scene);
     case Change::Float:

@@ -13,7 +13,7 @@ namespace tyg {
 
 /// A way to make a scene leaner.
 struct Change {
-  enum Kind { LeaveOut, SpringDamping, HalfSheet, Float, Step, Method };
+  enum Kind { LeaveOut, SpringDamping, StillAir, SteadyWind, HalfSheet, Float, Step, Method };
   Kind kind = LeaveOut;
   const ForceTerm* term = nullptr;  ///< LeaveOut: which
   bool operator==(const Change&) const = default;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <type_traits>
 
 #include <fmt/core.h>
 
@@ -20,6 +21,7 @@ double length(const Vec3& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.
 
 bool isFreeFall(const Scene& scene) {
   const auto nothing = [](const Push& push) { return length(push.force) == 0 || push.duration == 0; };
+  if (scene.air.density > 0) return false;
   return scene.pins.empty() && scene.displacements.empty() && std::ranges::all_of(scene.pushes, nothing);
 }
 
@@ -44,6 +46,37 @@ void addFamily(const Scene& scene, Family family, std::string_view name, std::ve
   }
 }
 
+/// What acts from a time on for a while.
+template <class Timed>
+bool addTimed(const Scene& scene, const Timed& timed, double size, const std::string& name,
+              std::vector<std::string>& idle) {
+  if (size == 0 || timed.duration == 0) {
+    idle.push_back(name +
+                   (std::is_same_v<Timed, Push> ? " has no force or no length" : " has no velocity or no length"));
+  } else if (timed.at >= scene.duration) {
+    idle.push_back(name + " begins after the end of the run");
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// Air acts on cells alone, and a wind needs air.
+void addAir(const Scene& scene, std::vector<std::string>& idle) {
+  const bool hasAir = scene.air.density > 0 && scene.air.coefficient > 0;
+  if (scene.air.density > 0 && !hasAir) idle.emplace_back("air: its drag coefficient is 0");
+  if (hasAir && (scene.columns == 1 || scene.rows == 1)) {
+    idle.emplace_back("air: it acts on the cells of a sheet, and a chain has none");
+    return;
+  }
+  for (std::size_t k = 0; k < scene.winds.size(); ++k) {
+    const std::string name = fmt::format("wind {}", k + 1);
+    if (!addTimed(scene, scene.winds[k], length(scene.winds[k].velocity), name, idle) && !hasAir) {
+      idle.push_back(name + " blows where there is no air");
+    }
+  }
+}
+
 void addEvents(const Scene& scene, std::vector<std::string>& idle) {
   const Sheet sheet = makeSheet(scene);
   const auto isPinned = [&](const Place& place) {
@@ -52,13 +85,12 @@ void addEvents(const Scene& scene, std::vector<std::string>& idle) {
   for (std::size_t k = 0; k < scene.pushes.size(); ++k) {
     const Push& push = scene.pushes[k];
     const std::string name = fmt::format("push {}", k + 1);
-    if (length(push.force) == 0 || push.duration == 0) {
-      idle.push_back(name + " has no force or no length");
-    } else if (push.at >= scene.duration) {
-      idle.push_back(name + " begins after the end of the run");
-    } else if (isPinned(push.particle)) {
+    if (!addTimed(scene, push, length(push.force), name, idle) && isPinned(push.particle)) {
       idle.push_back(name + " acts on a pinned particle");
     }
+  }
+  for (std::size_t k = 0; k < scene.moves.size(); ++k) {
+    addTimed(scene, scene.moves[k], length(scene.moves[k].velocity), fmt::format("move {}", k + 1), idle);
   }
   for (std::size_t k = 0; k < scene.displacements.size(); ++k) {
     if (length(scene.displacements[k].by) == 0) {
@@ -83,6 +115,7 @@ std::vector<std::string> idleTerms(const Scene& scene) {
       idle.push_back(fmt::format("{} takes less than a thousandth of any velocity in the whole run", term->name));
     }
   }
+  addAir(scene, idle);
   addEvents(scene, idle);
   return idle;
 }

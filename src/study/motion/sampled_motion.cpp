@@ -1,23 +1,22 @@
-// The run stops at every sample time; the edges of pushes choose how many there are.
+// The run stops at every sample time; the edges of pushes, winds and motions choose how many there are.
 #include "study/motion/sampled_motion.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+
+#include "core/simulation/timetable.h"
 
 namespace tyg {
 namespace {
 
 constexpr int kFewestSamples = 20, kMostSamples = 64;
 
-bool pushEdgesFallOn(const Scene& scene, int samples) {
+bool edgesFallOn(const Scene& scene, int samples) {
   constexpr double kRounding = 1e-9;
-  return std::ranges::all_of(scene.pushes, [&](const Push& push) {
-    return std::ranges::all_of(std::array{push.at, push.at + push.duration}, [&](double edge) {
-      const double sample = edge / scene.duration * samples;
-      return edge >= scene.duration || std::abs(sample - std::round(sample)) < kRounding;
-    });
+  return std::ranges::all_of(edgesWithin(scene), [&](double edge) {
+    const double sample = edge / scene.duration * samples;
+    return std::abs(sample - std::round(sample)) < kRounding;
   });
 }
 
@@ -33,8 +32,8 @@ std::vector<Vec3> positionsOf(const Simulation& simulation) {
 
 std::vector<double> sampleTimes(const Scene& scene) {
   int samples = kFewestSamples;
-  while (samples < kMostSamples && !pushEdgesFallOn(scene, samples)) ++samples;
-  if (!pushEdgesFallOn(scene, samples)) samples = kFewestSamples;
+  while (samples < kMostSamples && !edgesFallOn(scene, samples)) ++samples;
+  if (!edgesFallOn(scene, samples)) samples = kFewestSamples;
   std::vector<double> times;
   for (int k = 1; k <= samples; ++k) times.push_back(k == samples ? scene.duration : scene.duration * k / samples);
   return times;

@@ -6,7 +6,8 @@
 
 namespace tyg {
 
-/// In s: the end of the scene's first push; without a push, 0.45 s or the end of the run if that is earlier.
+/// In s: the end of the scene's first push, else of its first motion of pins, else 1.5 s after its first wind began or
+/// its end; without any of these 0.45 s. The end of the run where that is earlier.
 double tellingMoment(const Scene& scene);
 
 }  // namespace tyg

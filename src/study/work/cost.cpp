@@ -118,13 +118,16 @@ std::int64_t workOf(const Method& method, const SampledMotion& run) {
 }
 
 double countedCost(const Scene& scene) {
-  constexpr double kParticle = 2, kDamper = 0.5, kFloat = 0.6;
+  constexpr double kParticle = 2, kDamper = 0.5, kCell = 1.5, kWind = 0.5, kFloat = 0.6;
   const Sheet sheet = makeSheet(scene);
   double springs = (kParticle + (particleDamping(scene) > 0 ? kDamper : 0)) * sheet.count();
   for (const Family family : kFamilies) {
     const SpringFamily& law = familyOf(scene, family);
     const double each = law.present() ? 1 + (law.kd > 0 ? kDamper : 0) : 0;
     springs += each * static_cast<double>(springCount(sheet, family));
+  }
+  if (scene.air.density > 0) {
+    springs += (kCell + kWind * double(scene.winds.size())) * (scene.columns - 1) * (scene.rows - 1);
   }
   return springs * (scene.precision == Precision::Float ? kFloat : 1);
 }

@@ -27,7 +27,7 @@ namespace {
 constexpr double kShortestMs = 1e-3, kLongestMs = 100;  // of the step's slider
 constexpr double kFinestMm = 1e-7, kCoarsestMm = 100;   // of the tolerance's
 constexpr int kMostParticles = 512;                     // in a row or column, set by hand
-constexpr float kLabels = 4.6F;                         // width of the names, in sizes of the text
+constexpr float kLabels = 5.2F;                         // width of the names, in sizes of the text
 constexpr int kLog = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp;
 
 void name(const char* text, float size) {
@@ -261,16 +261,34 @@ class ControlPanel final : public Panel {
     }
   }
 
-  /// The parameters of all terms but the springs.
-  static void drawWorld(const PanelScope& scope, Scene& wanted) {
+  /// The parameters of all terms but the springs; of a term that the scene does not have, those that bring it in.
+  void drawWorld(const PanelScope& scope, Scene& wanted) {
     for (const ForceTerm* term : forceTerms()) {
       if (term->family) continue;
+      const bool isThere = hasTerm(wanted, *term);
       for (const Parameter& parameter : term->parameters) {
-        name(std::string(parameter.label).c_str(), scope.size);
+        if (!isThere && !parameter.decidesPresence) continue;
+        const bool acts = parameter.acts == nullptr || parameter.acts(wanted);
+        if (!acts) ImGui::BeginDisabled();
+        if (parameter.isSpeed) drawSpeed(scope, parameter, wanted);
+        name(parameter.isSpeed ? "" : std::string(parameter.label).c_str(), scope.size);
         field(parameter, unitText(parameter.unit), wanted);
         if (parameter.count == 3) tip(scope, "along x, y (up) and z");
+        if (!acts) ImGui::EndDisabled();
       }
     }
+  }
+
+  /// The size of a vector, along the direction that it has, or had last.
+  void drawSpeed(const PanelScope& scope, const Parameter& parameter, Scene& wanted) {
+    const Vec3 value = parameter.get(wanted);
+    double speed = std::hypot(value.x, value.y, value.z);
+    if (speed > 0) way_ = {value.x / speed, value.y / speed, value.z / speed};
+    name(std::string(parameter.label).c_str(), scope.size);
+    const std::string id = fmt::format("##speed of {}", parameter.key);
+    const std::string format = fmt::format("%.{}g {}", parameter.digits, unitText(parameter.unit));
+    if (!slider(id.c_str(), speed, 1, {0, parameter.mostByHand}, format.c_str())) return;
+    parameter.set(wanted, {speed * way_.x, speed * way_.y, speed * way_.z});
   }
 
   void drawEdits(const PanelScope& scope, Scene& wanted) {
@@ -302,6 +320,7 @@ class ControlPanel final : public Panel {
   }
 
   std::optional<Scene> draft_;  ///< what a held field has come to
+  Vec3 way_{1, 0, 0};           ///< of a speed that is 0 now
   std::array<int, 2> size_{};   ///< of the sheet, as typed
   bool typing_ = false;
   std::string clamped_;  ///< what was typed beyond what the sheet's size may be

@@ -36,7 +36,16 @@ struct Amount {
   std::size_t channel = 0;
   double joules = 0;
 };
-std::vector<Amount> amountsOf(const Ledger& ledger) {
+/// Every kind of work that a ledger has named so far, in the order of their channels: one that is named later, as where
+/// somebody adds a wind, comes after the others.
+using WorkNames = std::vector<std::string_view>;
+void addNames(const Ledger& ledger, WorkNames& names) {
+  for (const Energies::Entry& entry : ledger.work) {
+    if (std::ranges::find(names, entry.name) == names.end()) names.push_back(entry.name);
+  }
+}
+
+std::vector<Amount> amountsOf(const Ledger& ledger, const WorkNames& names) {
   std::vector<Amount> amounts{{"kinetic", "masses", Kinetic, ledger.kinetic}};
   std::size_t channel = Stored;
   for (const EnergyStore& store : energyStores()) {
@@ -44,8 +53,8 @@ std::vector<Amount> amountsOf(const Ledger& ledger) {
   }
   amounts.push_back({"dissipated", "dampers", Dissipated, ledger.dissipated});
   channel = Work;
-  for (const Energies::Entry& entry : ledger.work) {
-    amounts.push_back({fmt::format("work of {}", entry.name), entry.name, channel++, entry.joules});
+  for (const std::string_view name : names) {
+    amounts.push_back({fmt::format("work of {}", name), name, channel++, ledger.work[name]});
   }
   return amounts;
 }
@@ -62,7 +71,9 @@ class EnergyPanel final : public Panel {
     if (newest < since_) since_ = time, before_ = ledger_.dissipated;
     ledger_.dissipated -= before_;
     std::array<float, kChannels> values{};
-    for (const Amount& amount : amountsOf(ledger_)) values.at(amount.channel) = float(amount.joules);
+    if (series_.size() <= 1) works_.clear();  // a run that begins
+    addNames(ledger_, works_);
+    for (const Amount& amount : amountsOf(ledger_, works_)) values.at(amount.channel) = float(amount.joules);
     values[Drift] = float(ledger_.drift);
     series_.add(time, values);
   }
@@ -71,11 +82,12 @@ class EnergyPanel final : public Panel {
     if (viewer_ != nullptr) viewer_->scenes().followLedger(false);
     viewer_ = nullptr;
     series_.clear();
+    works_.clear();
     since_ = kNever;
   }
 
   void draw(const PanelScope& scope) override {
-    const std::vector<Amount> amounts = amountsOf(ledger_);
+    const std::vector<Amount> amounts = amountsOf(ledger_, works_);
     std::vector<RunningCurve> curves;
     curves.reserve(amounts.size());
     for (const Amount& amount : amounts) {
@@ -116,7 +128,7 @@ class EnergyPanel final : public Panel {
     std::size_t channel = Stored;
     for (const EnergyStore& store : energyStores()) ledger.stored.add(store.name, value(channel++));
     channel = Work;
-    for (const Energies::Entry& entry : ledger_.work) ledger.work.add(entry.name, value(channel++));
+    for (const std::string_view name : works_) ledger.work.add(name, value(channel++));
     return ledger;
   }
 
@@ -213,6 +225,7 @@ class EnergyPanel final : public Panel {
 
   Viewer* viewer_ = nullptr;  ///< whose ledger is being followed
   RunningSeries series_{kChannels, kWindow};
+  WorkNames works_;
   Ledger ledger_;          ///< with what was dissipated since then:
   double since_ = kNever;  ///< s
   double before_ = 0;      ///< J, dissipated until then as the simulation counts

@@ -56,6 +56,7 @@ Colour seriesColour(std::size_t k, Background background) {
 Colour faded(Colour colour, float share) { return ImGui::ColorConvertFloat4ToU32(unpacked(colour, share)); }
 
 std::string unitText(std::string_view unit) {
+  if (unit == "1") return {};
   std::string text;
   for (const char sign : unit) {
     if (sign == '2' && !text.empty() && text.back() != ' ') {

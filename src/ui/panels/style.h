@@ -32,7 +32,7 @@ Colour seriesColour(std::size_t k, Background background);
 /// The same colour, with this share (0..1) of its opacity.
 Colour faded(Colour colour, float share);
 
-/// A unit as people write it: `m/s²` for `m/s2`.
+/// A unit as people write it: `m/s²` for `m/s2`, nothing for `1`.
 std::string unitText(std::string_view unit);
 
 /// Gives ImGui's widgets these colours, with spacing for text of `size` pixels.

@@ -11,6 +11,28 @@ namespace {
 
 double length(const Vec3& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
+constexpr double kUsualWavelength = 1;  // m, of gusts that are given none
+
+Wind firstWind(const Scene& scene) { return scene.winds.empty() ? Wind{} : scene.winds.front(); }
+
+/// Gusts travel with a wind.
+bool hasWind(const Scene& scene) { return firstWind(scene).velocity != Vec3{}; }
+
+/// Changes the first wind so that a scene file could have it: there is none where it is nothing, and no gust without
+/// both a velocity and a wavelength. Set in the order of the table, the values of any such wind come back.
+template <class Change>
+void setFirstWind(Scene& scene, const Change& change) {
+  const Wind before = firstWind(scene);
+  Wind wind = before;
+  change(wind);
+  if (wind == before) return;
+  const bool losesGust = (wind.velocity == Vec3{} && before.velocity != Vec3{}) || wind.wavelength == 0;
+  if (losesGust) wind.gust = {};
+  if (scene.winds.empty()) scene.winds.emplace_back();
+  scene.winds.front() = wind;
+  if (scene.winds.size() == 1 && wind == Wind{}) scene.winds.clear();
+}
+
 constexpr std::array kParameters{
     Parameter{.key = "air.density",
               .label = "air density",
@@ -27,7 +49,7 @@ constexpr std::array kParameters{
               .mostByHand = 10,
               .digits = 2},
     Parameter{.key = "air.coefficient",
-              .label = "drag coefficient",
+              .label = "coefficient",
               .unit = "1",
               .count = 1,
               .allowed = Allowed::NotNegative,
@@ -38,7 +60,54 @@ constexpr std::array kParameters{
               .set = [](Scene& scene, const Vec3& value) { scene.air.coefficient = value.x; },
               .decidesPresence = false,
               .mostByHand = 3,
-              .digits = 2}};
+              .digits = 2},
+    Parameter{
+        .key = "wind.velocity",
+        .label = "wind",
+        .unit = "m/s",
+        .count = 3,
+        .allowed = Allowed::Any,
+        .get = [](const Scene& scene) { return firstWind(scene).velocity; },
+        .set = [](Scene& scene, const Vec3& value) { setFirstWind(scene, [&](Wind& wind) { wind.velocity = value; }); },
+        .decidesPresence = false,
+        .isSpeed = true,
+        .ofList = true,
+        .mostByHand = 30,
+        .digits = 3},
+    Parameter{.key = "wind.wavelength",
+              .label = "gust length",
+              .unit = "m",
+              .count = 1,
+              .allowed = Allowed::NotNegative,
+              .get =
+                  [](const Scene& scene) {
+                    return Vec3{firstWind(scene).wavelength, 0, 0};
+                  },
+              .set = [](Scene& scene,
+                        const Vec3& value) { setFirstWind(scene, [&](Wind& wind) { wind.wavelength = value.x; }); },
+              .decidesPresence = false,
+              .acts = hasWind,
+              .ofList = true,
+              .mostByHand = 30,
+              .digits = 3},
+    Parameter{.key = "wind.gust",
+              .label = "gusts",
+              .unit = "m/s",
+              .count = 3,
+              .allowed = Allowed::Any,
+              .get = [](const Scene& scene) { return firstWind(scene).gust; },
+              .set =
+                  [](Scene& scene, const Vec3& value) {
+                    setFirstWind(scene, [&](Wind& wind) {
+                      wind.gust = value;
+                      if (value != Vec3{} && wind.wavelength == 0) wind.wavelength = kUsualWavelength;
+                    });
+                  },
+              .decidesPresence = false,
+              .acts = hasWind,
+              .ofList = true,
+              .mostByHand = 30,
+              .digits = 3}};
 
 /// N s/m against a cell's motion along its normal, with the fastest wind of the scene.
 double dampingOfCells(const Scene& scene) {
@@ -46,6 +115,20 @@ double dampingOfCells(const Scene& scene) {
   for (const Wind& wind : scene.winds) fastest += length(wind.velocity) + length(wind.gust);
   return scene.air.density * scene.air.coefficient * scene.spacing * scene.spacing * fastest;
 }
+
+/// Arithmetic for terms, of one place at a time.
+struct Vector {
+  double x = 0, y = 0, z = 0;
+  friend Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend Vector operator*(double a, const Vector& b) { return {a * b.x, a * b.y, a * b.z}; }
+};
+struct VectorMath {
+  static double all(double number) { return number; }
+  static Vector all3(const double (&numbers)[3]) { return {numbers[0], numbers[1], numbers[2]}; }
+  static double size(double a) { return std::abs(a); }
+  static double nearestWhole(double a) { return std::nearbyint(a); }
+  static double dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+};
 
 }  // namespace
 
@@ -74,6 +157,21 @@ void AirTerm::setMoment(const Scene& scene, double time, Moment<T>& moment, Numb
 }
 template void AirTerm::setMoment(const Scene&, double, Moment<float>&, Numbers<float>&);
 template void AirTerm::setMoment(const Scene&, double, Moment<double>&, Numbers<double>&);
+
+Vec3 windAt(const Scene& scene, double time, const Vec3& place) {
+  if (!(scene.air.density > 0)) return {};
+  Scene blowing;
+  blowing.winds = scene.winds;
+  std::erase_if(blowing.winds, [&](const Wind& wind) { return time < wind.at || time >= wind.at + wind.duration; });
+  AirTerm::Moment<double> moment;
+  AirTerm::Numbers<double> numbers;
+  AirTerm::setMoment(blowing, time, moment, numbers);
+  Vector sum = VectorMath::all3(numbers.steady);
+  for (const auto& gusts : moment.gusts) {
+    sum = sum + AirTerm::gustOf(VectorMath(), gusts, Vector{place.x, place.y, place.z});
+  }
+  return {sum.x, sum.y, sum.z};
+}
 
 constinit const ForceTerm AirTerm::kTerm{
     .name = "air", .parameters = kParameters, .cellDamping = dampingOfCells, .canSupply = [](const Scene& scene) {

@@ -101,7 +101,6 @@ struct AirTerm {
     });
   }
 
- private:
   /// gust s(p), p = phase - wave.x, s of period 1, mean 0 and amplitude 1, three times continuously differentiable:
   /// s(p) = 2 S7(1 - 2 |p - round(p)|) - 1, S7(q) = q^4 (35 - 84 q + 70 q^2 - 20 q^3).
   template <class Math, class Vector, class T>
@@ -114,5 +113,8 @@ struct AirTerm {
     return s * math.all3(gusts.amplitude);
   }
 };
+
+/// The wind at a place (m) and a time (s), for people to see, m/s; none where the scene has no air.
+Vec3 windAt(const Scene& scene, double time, const Vec3& place);
 
 }  // namespace tyg
