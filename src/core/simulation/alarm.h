@@ -35,8 +35,8 @@ class Alarm {
   /// over the first steps, and are nothing later.
   void expect(double forcing, double h);
   /// Takes the energies at one time (J) and returns the status of the run. May be called as often as one likes: the
-  /// balance changes only with the first check after lose(), when stored and lost energy are of the same time. Of `work`,
-  /// `flowing` is what winds and moving pins have done: it may grow for ever while all of it is lost again.
+  /// balance changes only with the first check after lose(), when stored and lost energy are of the same time. Of
+  /// `work`, `flowing` is what winds and moving pins have done: it may grow for ever while all of it is lost again.
   Status check(const StoredEnergy& energy, double work, double flowing = 0);
 
   /// S: the largest over the run of |G|, the |W| of pushes, what else did work during about the last kMemory regular
