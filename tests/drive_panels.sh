@@ -54,7 +54,7 @@ until_true "and step" has_step 0.002
 
 # A click beside the cloth pushes the middle particle, whose number tells the size of the sheet.
 picks 210 || fail "the middle of 20x20 particles is 210, not $picked"
-point 170 566
+point 170 535
 xdotool click --repeat 2 --delay 50 1
 few_frames
 xdotool type --delay 150 10
@@ -71,7 +71,7 @@ click 270 122
 
 press o
 few_frames
-click 1150 350
+click 945 550
 until_true "a click on a picture opens its scene" has_step 0.001
 xdotool search --onlyvisible --name '^Tyg: Flag' >/dev/null || fail "the title is not that of the new scene"
 press Escape
@@ -90,7 +90,7 @@ for ending in png toml csv; do [[ -s tyg-flag-1.$ending ]] || fail "Y kept no ty
 "$tyg" run tyg-flag-1.toml --replay tyg-flag-1.csv >/dev/null || fail "nor does it on the kept scene"
 
 # What is recorded is the scene as it was edited.
-point 170 566
+point 170 535
 xdotool click --repeat 2 --delay 50 1
 few_frames
 xdotool type --delay 150 12
