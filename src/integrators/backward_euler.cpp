@@ -3,7 +3,6 @@
 // A spring's stiffness matrix is ks (n n' + max(0, 1 - L0/|L|) (I - n n')): clamped, so that compressed springs keep
 // the system positive definite. Solved by conjugate gradients with 3x3 block Jacobi preconditioning, one block a
 // particle.
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "core/forces/term.h"
@@ -91,7 +90,9 @@ class BackwardEuler final : public Integrator<T> {
     static T size(T a) { return std::abs(a); }
     static T nearestWhole(T a) { return std::nearbyint(a); }
     static T dot(const Vector& a, const Vector& b) { return a.dot(b); }
-    static Vector cross(const Vector& a, const Vector& b) { return a.cross(b); }
+    static Vector cross(const Vector& a, const Vector& b) {
+      return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()};
+    }
   };
 
   void fitBlocks() {

@@ -1,11 +1,12 @@
 // Lattice symbols as 2x2 matrices of a wave in the plane, and what its springs do to it out of it.
 #include "core/spectrum/lattice.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/forces/term.h"
+#include "core/spectrum/eigenvalues.h"
 
 namespace tyg {
 namespace {
@@ -128,12 +129,9 @@ std::array<std::complex<double>, 4> Lattice::rootsInPlane(double qx, double qy) 
   const Symbol K = inPlane(stiffness_, qx, qy), C = dampingInPlane(qx, qy);
   const double w = std::sqrt(K.eigenvalues()[0]) + C.eigenvalues()[0];
   if (!(w > 0) || !std::isfinite(w)) return {};
-  Eigen::Matrix4d motion;
-  motion << 0, 0, w, 0, 0, 0, 0, w,        //
-      -K.xx / w, -K.xy / w, -C.xx, -C.xy,  //
-      -K.xy / w, -K.yy / w, -C.xy, -C.yy;
-  const Eigen::EigenSolver<Eigen::Matrix4d> solver(motion, false);
-  const Eigen::Vector4cd& roots = solver.eigenvalues();
+  const std::array<double, 16> columns{0, 0, -K.xx / w, -K.xy / w, 0, 0, -K.xy / w, -K.yy / w,
+                                       w, 0, -C.xx,     -C.xy,     0, w, -C.xy,     -C.yy};
+  const std::vector<std::complex<double>> roots = eigenvaluesOf(columns, 4);
   return {roots[0], roots[1], roots[2], roots[3]};
 }
 

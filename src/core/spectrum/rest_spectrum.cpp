@@ -10,6 +10,7 @@
 
 #include "core/forces/term.h"
 #include "core/forces/terms/springs.h"
+#include "core/spectrum/eigenvalues.h"
 
 namespace tyg {
 namespace {
@@ -200,23 +201,22 @@ std::vector<std::complex<double>> RestSpectrum::outerRoots() const {
     ++count;
     small.col(count - 1).head(count) = orthogonalised(basis, count, next);
   }
-  const Eigen::EigenSolver<Eigen::MatrixXd> ritz(small.topLeftCorner(count, count), false);
-  for (const std::complex<double>& mu : ritz.eigenvalues()) outer.push_back(mu);
+  const Eigen::MatrixXd ritz = small.topLeftCorner(count, count);
+  const std::vector<std::complex<double>> found = eigenvaluesOf({ritz.data(), std::size_t(ritz.size())}, int(count));
+  outer.insert(outer.end(), found.begin(), found.end());
   return outer;
 }
 
 /// The eigenvalues of the motion in the plane; 0 and -d for every d of the damping out of it.
 std::vector<std::complex<double>> RestSpectrum::roots() const {
-  std::vector<std::complex<double>> all;
   const Eigen::Index size = matrices_->K.rows();
-  if (size == 0) return all;
+  if (size == 0) return {};
   Eigen::MatrixXd motion = Eigen::MatrixXd::Zero(2 * size, 2 * size);
   const double fastest = fastestRate(), w = fastest > 0 && std::isfinite(fastest) ? fastest : 1;
   motion.topRightCorner(size, size).diagonal().setConstant(w);
   motion.bottomLeftCorner(size, size) = -Eigen::MatrixXd(matrices_->K) / w;
   motion.bottomRightCorner(size, size) = -Eigen::MatrixXd(matrices_->C);
-  const Eigen::EigenSolver<Eigen::MatrixXd> inPlane(motion, false);
-  for (const std::complex<double>& mu : inPlane.eigenvalues()) all.push_back(mu);
+  std::vector<std::complex<double>> all = eigenvaluesOf({motion.data(), std::size_t(motion.size())}, int(2 * size));
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> across(Eigen::MatrixXd(matrices_->outOfPlane),
                                                               Eigen::EigenvaluesOnly);
   for (const double d : across.eigenvalues()) all.emplace_back(-d, 0);
