@@ -50,8 +50,9 @@ TEST(Amounts, ThatAreNotANumberAboveZeroWithAKnownUnitAreRefused) {
     parseTime("--budget", "4m");
     FAIL();
   } catch (const InputError& refusal) {
-    EXPECT_STREQ(refusal.what(),
-                 "--budget: found '4m', allowed is a finite time above 0: seconds, or a number with us, ms or s, such as 4ms");
+    EXPECT_STREQ(
+        refusal.what(),
+        "--budget: found '4m', allowed is a finite time above 0: seconds, or a number with us, ms or s, such as 4ms");
   }
 }
 

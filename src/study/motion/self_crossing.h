@@ -15,11 +15,11 @@ struct CrossingCells {
   int column = 0, row = 0, otherColumn = 0, otherRow = 0;
 };
 
-/// The first of the cells, row by row, that passes through another; nothing where none does. Each cell is two triangles,
-/// cut from its upper right to its lower left corner, and passes through another where one of its edges meets the inside
-/// of one of these; touching, and lying in one plane, does not count. Cells that share a corner are not compared. `positions`: of
-/// every particle, m; crossings with numbers that are not finite are none. Time: n log n in the number of cells, unless
-/// most of the sheet lies in one place.
+/// The first of the cells, row by row, that passes through another; nothing where none does. Each cell is two
+/// triangles, cut from its upper right to its lower left corner, and passes through another where one of its edges
+/// meets the inside of one of these; touching, and lying in one plane, does not count. Cells that share a corner are
+/// not compared. `positions`: of every particle, m; crossings with numbers that are not finite are none. Time: n log n
+/// in the number of cells, unless most of the sheet lies in one place.
 std::optional<CrossingCells> firstCrossing(const Sheet& sheet, std::span<const Vec3> positions);
 
 }  // namespace tyg
