@@ -1,16 +1,15 @@
 // Backward Euler with one linearised solve (Baraff and Witkin, "Large steps in cloth simulation", 1998, eq. 6):
 //   (M - h dF/dv - h^2 dF/dx) dv = h (F + h dF/dx v), F at t + h;  v' = v + dv;  x' = x + h v'
 // A spring's stiffness matrix is ks (n n' + max(0, 1 - L0/|L|) (I - n n')): clamped, so that compressed springs keep
-// the system positive definite. Solved by conjugate gradients with 3x3 block Jacobi preconditioning, one block a
-// particle.
+// the system positive definite. A term of cells gives its damping along each cell's normal. Solved by conjugate
+// gradients with 3x3 block Jacobi preconditioning, one block a particle.
 #include <Eigen/LU>
-
-#include "core/forces/term.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+
+#include "core/forces/term.h"
 #include "integrators/make.h"
 #include "integrators/spring_list.h"
 
@@ -25,7 +24,7 @@ class BackwardEuler final : public Integrator<T> {
         springs_(listSprings(scene, sheet)),
         axial_(scene.damping == Damping::Axial),
         particleDamping_(T(particleDamping(scene))),
-        cellDamping_(scene.air.density > 0),
+        cellDamping_(cellDampingTerm(scene) != nullptr),
         mass_(T(sheet.particleMass)),
         force_(Layout(sheet)) {
     const Layout& layout = force_.layout();
@@ -64,7 +63,7 @@ class BackwardEuler final : public Integrator<T> {
     relistSprings(springs_, scene_, scene, sheet);
     scene_ = scene;
     particleDamping_ = T(particleDamping(scene));
-    cellDamping_ = scene.air.density > 0;
+    cellDamping_ = cellDampingTerm(scene) != nullptr;
     fitBlocks();
   }
   [[nodiscard]] std::unique_ptr<Integrator<T>> clone() const override { return std::make_unique<BackwardEuler>(*this); }
@@ -114,10 +113,10 @@ class BackwardEuler final : public Integrator<T> {
     }
   }
 
-  /// For each cell the vector g of what the air does to its corners, times the root of h.
+  /// For each cell and each term of cells the vector g of rootOfDamping(), times the root of h.
   void lineariseCells(const Forces<T>& forces, const State<T>& state, double time, T h) {
     onCells_.clear();
-    if (!(cellDamping_)) return;
+    if (!cellDamping_) return;
     const AllTerms::Numbers<T> numbers = forces.numbersAt(time);
     const int columns = force_.layout().columns, rows = force_.layout().rows;
     for (int particle = 0; particle + columns < columns * rows; ++particle) {
@@ -127,9 +126,13 @@ class BackwardEuler final : public Integrator<T> {
         return Corners<Vector>{corner(particle), corner(particle + 1), corner(particle + columns),
                                corner(particle + columns + 1)};
       };
-      const AirTerm::Numbers<T>& air = numbers;
-      onCells_.push_back({particle, std::sqrt(h) * AirTerm::rootOfDamping(VectorMath{}, corners(state.position),
-                                                                          corners(state.velocity), air)});
+      const Corners<Vector> x = corners(state.position), v = corners(state.velocity);
+      AllTerms::forEach([&]<class Term>() {
+        if constexpr (Term::kPlace == TermPlace::Cells) {
+          const typename Term::template Numbers<T>& known = numbers;
+          onCells_.push_back({particle, std::sqrt(h) * Term::rootOfDamping(VectorMath{}, x, v, known)});
+        }
+      });
     }
   }
   [[nodiscard]] std::array<std::size_t, 4> cornersOf(int particle) const {

@@ -2,6 +2,7 @@
 //   y = x + h/2 v;  (M + h/2 D) v' = (M - h/2 D) v + h F_springs(y);  x' = y + h/2 v'
 // Second order; stable to h w = 2 whatever the damping. D is factored once for each step length; of a large sheet,
 // where that would take minutes, the system is solved by conjugate gradients, as long as these converge.
+#include <fmt/core.h>
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCholesky>
 
@@ -75,9 +76,10 @@ class Imex final : public Integrator<T> {
   };
 
   static void refuseCellDamping(const Scene& scene) {
-    if (scene.air.density > 0) {
-      throw InputError("imex: found air, allowed: scenes without it (the matrix of the damping must be constant)");
-    }
+    const ForceTerm* term = cellDampingTerm(scene);
+    if (term == nullptr) return;
+    throw InputError(fmt::format(
+        "imex: found {}, allowed: scenes without it (the matrix of the damping must be constant)", term->name));
   }
   static constexpr std::size_t kMostFactored = 256 * 256;  // particles: a factorisation of them takes a second
   static constexpr int kMostIterations = 200;

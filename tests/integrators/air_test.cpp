@@ -161,6 +161,30 @@ TEST(Air, WithoutTheLedgerTheWorkOfTheWindIsEstimatedForTheAlarm) {
   EXPECT_EQ(estimated.status(), Status::Ok);
 }
 
+TEST(Air, TheWorkOfTheWindIsCountedOnceWhereverTheLedgerIsFollowed) {
+  Scene scene = gustySheet();
+  scene.dt = 1e-3;
+  for (const Method& method : methods()) {
+    if (!takes(method, scene)) continue;
+    Simulation exact(scene, method, {.ledger = true}), switched(scene, method);
+    exact.tick(3000);
+    switched.tick(700);
+    const Snapshot early = switched.save();
+    switched.followLedger(true);
+    switched.tick(800);
+    switched.followLedger(false);
+    switched.tick(1500);
+    const double work = exact.ledger().work["wind"];
+    EXPECT_NEAR(switched.ledger().work["wind"], work, 0.03 * work) << method.name;
+    // Back to where it was not followed, with the ledger followed since.
+    switched.followLedger(true);
+    switched.restore(early);
+    switched.tick(2300);
+    EXPECT_NEAR(switched.ledger().work["wind"], work, 0.03 * work) << method.name;
+    EXPECT_EQ(switched.status(), Status::Ok) << method.name;
+  }
+}
+
 TEST(Air, StopTimesOfWindsAreMetByEveryMethod) {
   Scene scene = gustySheet();
   scene.winds = {{.velocity = {0, 5, 0}, .at = 0.1 * std::sqrt(2.0), .duration = 0.1 * std::sqrt(3.0)}};

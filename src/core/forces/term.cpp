@@ -55,6 +55,12 @@ double cellDamping(const Scene& scene) {
   return sum;
 }
 
+const ForceTerm* cellDampingTerm(const Scene& scene) {
+  const auto found = std::ranges::find_if(
+      kTerms, [&](const ForceTerm* term) { return term->cellDamping != nullptr && hasTerm(scene, *term); });
+  return found == kTerms.end() ? nullptr : *found;
+}
+
 bool canSupply(const Scene& scene, std::size_t k) {
   std::size_t supply = 0;
   bool can = false;

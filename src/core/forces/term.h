@@ -42,6 +42,8 @@ void leaveOut(Scene& scene, const ForceTerm& term);
 double particleDamping(const Scene& scene);
 /// N s/m by which all terms together resist the motion of a cell along its normal, at most.
 double cellDamping(const Scene& scene);
+/// The first term of the scene that resists the motion of cells; null where there is none.
+const ForceTerm* cellDampingTerm(const Scene& scene);
 /// Whether the k-th of kSupplies can bring energy to the cloth.
 bool canSupply(const Scene& scene, std::size_t k);
 /// N by which all terms together pull every particle alike.

@@ -41,11 +41,7 @@ Simulation::Impl::Impl(Scene wanted, const Method& method, const Settings& asked
       timetable(scene) {
   applyPushes();
   applyTimetable();
-  if (settings.ledger) {
-    run.supply.followFrom({}, 0);
-  } else {
-    run.supply.estimateFrom(powerToSupply(), 0);
-  }
+  run.supply.follow(settings.ledger, powerToSupply(), 0, backend->energyOfPower());
   run.energies.check(sample());
 }
 
@@ -78,8 +74,7 @@ Power Simulation::Impl::powerToSupply() const {
 }
 
 void Simulation::Impl::trackDissipation(bool on) {
-  if (on && !settings.ledger) run.supply.followFrom(powerToSupply(), run.clock.time());
-  if (!on && settings.ledger) run.supply.estimateFrom(powerToSupply(), run.clock.time());
+  run.supply.follow(on, powerToSupply(), run.clock.time(), backend->energyOfPower());
   settings.ledger = on;
   backend->trackDissipation(on, run.clock.time());
   run.energies.followLedger(on, sample());

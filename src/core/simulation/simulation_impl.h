@@ -45,7 +45,7 @@ struct Simulation::Impl {
   /// W, where terms of the scene can bring energy; else 0.
   [[nodiscard]] Power powerToSupply() const;
   /// To be called on both sides of a jump of that power.
-  void checkSupply() { run.supply.check(powerToSupply(), run.clock.time()); }
+  void checkSupply() { run.supply.check(powerToSupply(), run.clock.time(), backend->energyOfPower()); }
 
   // simulation_steps.cpp
   void runTo(double end);

@@ -82,7 +82,7 @@ void Simulation::Impl::finishSteps(double h, int count, double timeAfter) {
   // Steps of a method's own choice let fast waves jitter within the tolerance.
   const bool keepsTheBalance = !stepsFreely() && takesWhatDampingTakes(*run.method);
   const Power power = keepsTheBalance ? backend->power(timeAfter) : powerToSupply();
-  run.supply.check(power, timeAfter);
+  run.supply.check(power, timeAfter, backend->energyOfPower());
   run.energies.lose(keepsTheBalance ? power.lost : 0, timeAfter);
   run.energies.check(sample(power));
   askObserver();

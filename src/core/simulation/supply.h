@@ -11,33 +11,31 @@ class Supply {
  public:
   using Energies = decltype(Power::supplied);  ///< J, by kSupplies
 
-  /// The ledger is followed no longer, or not yet: from this time (s) on the energy is estimated.
-  void estimateFrom(const Power& power, double time) { power_ = power.supplied, time_ = time, estimates_ = true; }
-  /// From now on the integral that is given to upTo() holds what is brought.
-  void followFrom(const Power& power, double time) {
-    check(power, time);
-    estimates_ = false;
+  /// From this time (s) on the energy is what the methods add up, or else estimated. `power` (W) and `integral` (J, of
+  /// what they have added up so far) are of now.
+  void follow(bool exactly, const Power& power, double time, const Power& integral) {
+    brought_ = upTo(power, time, integral);
+    exactly_ = exactly;
+    power_ = power.supplied, time_ = time, integral_ = integral.supplied;
   }
-  /// An energy check: the mean of the powers then and before counts for the time between them.
-  void check(const Power& power, double time) {
-    if (!estimates_) return;
-    estimated_ = upTo(power, time, {});
-    power_ = power.supplied, time_ = time;
+  /// An energy check: where it is estimated, the mean of the powers now and before counts for the time between them.
+  void check(const Power& power, double time, const Power& integral) {
+    if (!exactly_) follow(false, power, time, integral);
   }
-  /// What has been brought until now, J; `power` (W) is of now, `integral` (J) of what the methods have added up.
+  /// What has been brought until now, J.
   [[nodiscard]] Energies upTo(const Power& power, double time, const Power& integral) const {
-    Energies all = estimated_;
+    Energies all = brought_;
     for (std::size_t k = 0; k < all.size(); ++k) {
-      all[k] += integral.supplied[k];
-      if (estimates_) all[k] += (power_[k] + power.supplied[k]) / 2 * (time - time_);
+      all[k] += exactly_ ? integral.supplied[k] - integral_[k] : (power_[k] + power.supplied[k]) / 2 * (time - time_);
     }
     return all;
   }
 
  private:
-  Energies estimated_{}, power_{};
-  double time_ = 0;
-  bool estimates_ = true;
+  Energies brought_{};             ///< until time_
+  Energies power_{}, integral_{};  ///< at time_, W and J
+  double time_ = 0;                ///< s
+  bool exactly_ = false;
 };
 
 }  // namespace tyg
