@@ -42,7 +42,7 @@ until_true "Ctrl+Shift+Z does it again" has_step "$small"
 
 # The last of the list of methods is xpbd; the wheel and the clicks on the list are the panel's alone.
 read_log && old_x=$eye_x old_y=$eye_y old_z=$eye_z
-click 240 181
+click 240 173
 for ((notch = 0; notch < 6; ++notch)); do xdotool mousemove 150 300 click 5; done
 few_frames
 click 150 220
@@ -54,7 +54,7 @@ until_true "and step" has_step 0.002
 
 # A click beside the cloth pushes the middle particle, whose number tells the size of the sheet.
 picks 210 || fail "the middle of 20x20 particles is 210, not $picked"
-point 170 535
+point 170 507
 xdotool click --repeat 2 --delay 50 1
 few_frames
 xdotool type --delay 150 10
@@ -90,7 +90,7 @@ for ending in png toml csv; do [[ -s tyg-flag-1.$ending ]] || fail "Y kept no ty
 "$tyg" run tyg-flag-1.toml --replay tyg-flag-1.csv >/dev/null || fail "nor does it on the kept scene"
 
 # What is recorded is the scene as it was edited.
-point 170 535
+point 170 507
 xdotool click --repeat 2 --delay 50 1
 few_frames
 xdotool type --delay 150 12

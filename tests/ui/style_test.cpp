@@ -36,6 +36,7 @@ glm::vec3 seen(const glm::vec3& rgb) {
 
 TEST(Style, ASquareInAUnitIsWrittenAsOne) {
   EXPECT_EQ(unitText("m/s2"), "m/s\u00b2");
+  EXPECT_EQ(unitText("kg/m3"), "kg/m\u00b3");
   EXPECT_EQ(unitText("N s/m"), "N s/m");
   EXPECT_EQ(unitText("2 m"), "2 m");
   EXPECT_EQ(unitText(""), "");

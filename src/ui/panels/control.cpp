@@ -62,6 +62,9 @@ class ControlPanel final : public Panel {
   void draw(const PanelScope& scope) override {
     Viewer& viewer = scope.viewer;
     Scene wanted = draft_.value_or(viewer.scenes().scene());
+    constexpr float kTight = 0.7F;  // of the usual space between rows: all of them fit into a window of 720 pixels
+    const ImVec2 usual = ImGui::GetStyle().ItemSpacing;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {usual.x, kTight * usual.y});
     drawScene(scope, wanted);
     drawEdits(scope, wanted);
     heading("Motion", "changes at once");
@@ -70,6 +73,7 @@ class ControlPanel final : public Panel {
     drawWorld(scope, wanted);
     heading("Sheet", "a change starts it anew");
     drawSheet(scope, wanted);
+    ImGui::PopStyleVar();
     take(viewer, wanted);
     // After a start anew, which forgets notes.
     if (!draft_ && !clamped_.empty()) viewer.notes().say(std::exchange(clamped_, {}));

@@ -59,8 +59,9 @@ std::string unitText(std::string_view unit) {
   if (unit == "1") return {};
   std::string text;
   for (const char sign : unit) {
-    if (sign == '2' && !text.empty() && text.back() != ' ') {
-      text += "\u00b2";
+    const bool isPower = !text.empty() && text.back() != ' ';
+    if (isPower && (sign == '2' || sign == '3')) {
+      text += sign == '2' ? "\u00b2" : "\u00b3";
     } else {
       text += sign;
     }
