@@ -100,7 +100,7 @@ until_true "another sheet waits at its start" in_state waiting
 press space
 until_true "the edited flag flies" later_than 0.1
 # What acts at once, the drag of the air, is part of the record.
-click 240 446
+click 240 426
 read_log
 in_state running || fail "a change of the drag stopped the cloth"
 until_true "it flies on" later_than "$(awk "BEGIN { print $sim_s + 0.1 }")"
