@@ -219,6 +219,15 @@ inline Scene emptyWorld(int columns, int rows) {
   return scene;
 }
 
+/// Bodies of every shape that a sheet of emptyWorld(5, 4) touches.
+inline std::vector<Body> bodiesOfEveryShape() {
+  return {{.shape = Shape::Plane, .at = {0, 0, 0.1}, .normal = {0, 0, 1}},
+          {.shape = Shape::Ball, .at = {-1, -1, 0.2}, .radius = 1.3},
+          {.shape = Shape::Capsule, .at = {1, -2, -1}, .axis = {0.5, 0.3, 2}, .radius = 1},
+          {.shape = Shape::Box, .at = {1.5, -1, 0.1}, .half = {1.6, 1.1, 1.3}, .radius = 1},
+          {.shape = Shape::Plane, .at = {0, -1, 0}, .normal = {0.6, 0.8, 0}}};
+}
+
 /// One particle that nothing holds.
 inline Scene freeFall() {
   Scene scene = emptyWorld(1, 1);

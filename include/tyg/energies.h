@@ -26,6 +26,12 @@ class Energies {
     }
     return 0;
   }
+  [[nodiscard]] bool has(std::string_view name) const {
+    for (const Entry& entry : *this) {
+      if (entry.name == name) return true;
+    }
+    return false;
+  }
   [[nodiscard]] double sum() const {
     double sum = 0;
     for (const Entry& entry : *this) sum += entry.joules;

@@ -36,6 +36,9 @@ struct Method {
   /// Largest stable step in seconds for the mode x'' + d x' + w2 x = 0 (w2 in 1/s2, d in 1/s, both >= 0): infinite
   /// where every step is stable, 0 where none is. Null where the method has no limit, or none that a single mode sets.
   double (*stableStep)(double w2, double d) = nullptr;
+  /// The same for a particle that something holds, such as contact, where the method treats that damping in another way
+  /// than the springs'; null: in the same way.
+  double (*stableStepWhereHeld)(double w2, double d) = nullptr;
   /// The same for all modes of a scene's sheet at rest at once, for methods that adapt to the whole spectrum; else
   /// null.
   double (*stableStepOfScene)(const Scene& scene) = nullptr;

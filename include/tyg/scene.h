@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -72,13 +73,39 @@ struct Wind {
   bool operator==(const Wind&) const = default;
 };
 
-/// Pinned particles move with this velocity during [at, at + duration); several motions of one add up.
+/// Pinned particles or a body move with this velocity during [at, at + duration); several motions of one add up.
 struct Move {
   std::vector<Place> what{};
   Vec3 velocity{};      ///< m/s
   double at = 0;        ///< s, >= 0
   double duration = 0;  ///< s, >= 0; the key `for` of the file
+  std::string body{};   ///< the name of a body; `what` is then empty
   bool operator==(const Move&) const = default;
+};
+
+enum class Shape { Plane, Ball, Capsule, Box };
+
+/// Something solid that the particles touch.
+struct Body {
+  Shape shape = Shape::Plane;
+  Vec3 at{};             ///< m: a point of a plane, the middle of a ball or a box, one end of a capsule's axis
+  Vec3 normal{0, 1, 0};  ///< of a plane, of length 1; it points out of the body
+  Vec3 axis{};           ///< m, of a capsule: from `at` to the other end
+  Vec3 half{};           ///< m, of a box: half of its extents along x, y and z
+  double radius = 0;     ///< m, of a ball or a capsule; of a box that of its edges, the key `rounding` of the file
+  std::string name{};    ///< for motions; may be empty
+  bool operator==(const Body&) const = default;
+};
+
+/// How particles and bodies touch; without stiffness they do not.
+struct Contact {
+  double stiffness = 0;         ///< N/m, of a particle on a body, >= 0
+  double layer = 0;             ///< m, the depth over which the stiffness sets in, > 0
+  double damping = 0.3;         ///< as a fraction of the critical one of a particle, >= 0
+  double friction = 0;          ///< coefficient, >= 0
+  double grip = 0;              ///< N s/m, > 0: friction resists a slow slip like a damper of this size, and never more
+  std::optional<double> gap{};  ///< m, >= 0, by which every body is larger; nothing: what a flat cell sinks into each
+  bool operator==(const Contact&) const = default;
 };
 
 /// The most columns and the most rows of a sheet.
@@ -106,6 +133,8 @@ struct Scene {
   double drag = 0;            ///< N s/m per particle, >= 0
   Air air;
   std::vector<Wind> winds;
+  Contact contact;
+  std::vector<Body> bodies;  ///< touched where the contact has a stiffness
 
   std::vector<Displacement> displacements;
   std::vector<Push> pushes;
@@ -118,6 +147,10 @@ struct Scene {
   Precision precision = Precision::Double;
   bool operator==(const Scene&) const = default;
 };
+
+/// Gives the contact of a scene what it lacks, as scene files have it: a quarter of the sheet's largest m w^2 as
+/// stiffness, a twentieth of the spacing as layer, half the root of stiffness times mass as grip. What is 0 lacks.
+void fillContact(Scene& scene);
 
 /// Reads a scene from TOML text. `methods` are the integrator names to allow (none given: any).
 /// Throws InputError with file, line, key, what was found and what is allowed.
@@ -138,8 +171,9 @@ inline bool showsFailure(const BuiltinScene& scene) { return scene.name.starts_w
 std::span<const BuiltinScene> builtinScenes();
 
 /// The same cloth on another grid: spacing = larger side / (larger count - 1), particle mass and drag = the sheet's
-/// total over the new count, [column, row] places scale with the sheet and are rounded; ks, kd and pushes stay. Throws
-/// InputError where a count is outside 1..kLargestCount or the cloth has no extent to keep.
+/// total over the new count, as are the stiffness and the grip of contact, [column, row] places scale with the sheet
+/// and are rounded; ks, kd and pushes stay. Throws InputError where a count is outside 1..kLargestCount or the cloth
+/// has no extent to keep.
 Scene withSheet(Scene scene, int columns, int rows);
 
 }  // namespace tyg

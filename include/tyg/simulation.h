@@ -28,7 +28,8 @@ std::string_view nameOf(Status status);
 /// The energies of a run, in J. Kinetic + all that is stored + dissipated - all work keeps its start value.
 struct Ledger {
   double kinetic = 0;
-  Energies stored{};       ///< by name: `elastic`, and `gravitational`, which is zero at the start
+  Energies stored{};       ///< by name: `elastic`, `gravitational`, which is zero at the start, and others where
+                           ///< a scene has them, such as `contact`
   Energies work{};         ///< by what does it: `pushes`, force times the distance moved, exact
   double dissipated = 0;   ///< by damping and drag; only with Settings::ledger
   double scale = 0;        ///< what counts as a large energy in this run; S of the alarm

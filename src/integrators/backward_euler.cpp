@@ -1,14 +1,16 @@
 // Backward Euler with one linearised solve (Baraff and Witkin, "Large steps in cloth simulation", 1998, eq. 6):
 //   (M - h dF/dv - h^2 dF/dx) dv = h (F + h dF/dx v), F at t + h;  v' = v + dv;  x' = x + h v'
 // A spring's stiffness matrix is ks (n n' + max(0, 1 - L0/|L|) (I - n n')): clamped, so that compressed springs keep
-// the system positive definite. A term of cells gives its damping along each cell's normal. Solved by conjugate
-// gradients with 3x3 block Jacobi preconditioning, one block a particle.
+// the system positive definite. A term of cells gives its damping along each cell's normal, and contact the stiffness
+// and the damping of each particle that touches a body. Solved by conjugate gradients with 3x3 block Jacobi
+// preconditioning, one block a particle.
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/forces/point_math.h"
 #include "core/forces/term.h"
 #include "integrators/make.h"
 #include "integrators/spring_list.h"
@@ -45,6 +47,7 @@ class BackwardEuler final : public Integrator<T> {
     forces.evaluate(t + h, state.position, state.velocity, force_);
     linearise(state, T(h));
     lineariseCells(forces, state, t + h, T(h));
+    lineariseTouches(forces, state, t + h, T(h));
     prepare(forces, state, T(h));
     solve(forces.freeMask());
     const std::ptrdiff_t plane = force_.layout().plane;
@@ -81,6 +84,11 @@ class BackwardEuler final : public Integrator<T> {
     int particle = 0;  ///< at its upper left corner
     Vector g;
   };
+  /// What touches one particle: h^2 K and h C.
+  struct OnParticle {
+    std::size_t particle = 0;
+    Block stiffness, damping;
+  };
   /// Arithmetic for terms, of one cell at a time.
   struct VectorMath {
     static T all(T number) { return number; }
@@ -93,6 +101,10 @@ class BackwardEuler final : public Integrator<T> {
       return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()};
     }
   };
+  static Vector vectorOf(const Point<T>& point) { return {point.x, point.y, point.z}; }
+  static Point<T> pointAt(const VectorField<T>& field, std::ptrdiff_t i) {
+    return {field.x()[i], field.y()[i], field.z()[i]};
+  }
 
   void fitBlocks() {
     stiffness_.resize(springs_.size());
@@ -130,7 +142,31 @@ class BackwardEuler final : public Integrator<T> {
       AllTerms::forEach([&]<class Term>() {
         if constexpr (Term::kPlace == TermPlace::Cells) {
           const typename Term::template Numbers<T>& known = numbers;
-          onCells_.push_back({particle, std::sqrt(h) * Term::rootOfDamping(VectorMath{}, x, v, known)});
+          onCells_.push_back({particle, std::sqrt(h) * Term::rootOfDamping(VectorMath(), x, v, known)});
+        }
+      });
+    }
+  }
+  /// With the normal held, and without the curvature of the surface, which would make the push weaker across it.
+  void lineariseTouches(const Forces<T>& forces, const State<T>& state, double time, T h) {
+    onParticles_.clear();
+    if (holdingTerm(scene_).term == nullptr) return;
+    const AllTerms::Numbers<T> numbers = forces.numbersAt(time);
+    const T* isFree = forces.freeMask();
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      const std::ptrdiff_t i = places_[k];
+      if (isFree[i] == 0) continue;
+      AllTerms::forEach([&]<class Term>() {
+        if constexpr (Term::kPlace == TermPlace::Blocks) {
+          const typename Term::template Numbers<T>& known = numbers;
+          Term::forTouches(
+              PointMath<T>(), pointAt(state.position, i), pointAt(state.velocity, i), known,
+              [&](const auto& touch, T stiffness) {
+                const Vector n = vectorOf(touch.normal);
+                const Block along = n * n.transpose();
+                onParticles_.push_back({k, (h * h * stiffness) * along,
+                                        h * (touch.damping * along + touch.friction * (Block::Identity() - along))});
+              });
         }
       });
     }
@@ -155,6 +191,10 @@ class BackwardEuler final : public Integrator<T> {
       residual_[b] += pull;
       inverse_[a] += stiffness_[s] + damping_[s];
       inverse_[b] += stiffness_[s] + damping_[s];
+    }
+    for (const OnParticle& touch : onParticles_) {
+      residual_[touch.particle] -= touch.stiffness * velocity_[touch.particle];
+      inverse_[touch.particle] += touch.stiffness + touch.damping;
     }
     for (const OnCell& cell : onCells_) {
       for (const std::size_t corner : cornersOf(cell.particle)) inverse_[corner] += cell.g * cell.g.transpose();
@@ -210,6 +250,9 @@ class BackwardEuler final : public Integrator<T> {
       for (const std::size_t corner : corners) along += cell.g.dot(direction_[corner]);
       for (const std::size_t corner : corners) image_[corner] += along * cell.g;
     }
+    for (const OnParticle& touch : onParticles_) {
+      image_[touch.particle] += (touch.stiffness + touch.damping) * direction_[touch.particle];
+    }
     for (std::size_t i = 0; i < image_.size(); ++i) image_[i] *= isFree[places_[i]];
   }
 
@@ -235,6 +278,7 @@ class BackwardEuler final : public Integrator<T> {
   std::vector<std::ptrdiff_t> places_;  // by particle: its place
   std::vector<Block> stiffness_, damping_, inverse_;
   std::vector<OnCell> onCells_;
+  std::vector<OnParticle> onParticles_;
   Vectors solution_, residual_, preconditioned_, direction_, image_, velocity_;
 };
 

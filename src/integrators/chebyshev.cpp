@@ -61,6 +61,19 @@ void addLeastDamped(const Scene& scene, std::vector<Mode>& modes) {
   }
 }
 
+/// Adds what becomes of each mode, and of a resting particle, where something holds all particles.
+void addHeld(const Scene& scene, std::vector<Mode>& modes) {
+  const auto [term, hold] = holdingTerm(scene);
+  if (term == nullptr) return;
+  const double perMass = 1 / scene.particleMass;
+  modes.push_back({0, 0});
+  for (std::size_t k = 0, count = modes.size(); k < count; ++k) {
+    const auto [w2, d] = modes[k];
+    modes.push_back({w2 + perMass * hold.stiffness, d + perMass * hold.damping});
+    if (hold.across > 0) modes.push_back({w2, d + perMass * hold.across});
+  }
+}
+
 }  // namespace
 
 ChebyshevTable::ChebyshevTable(const ChebyshevStages& stages)
@@ -93,6 +106,7 @@ std::vector<Mode> chebyshevModes(const Scene& scene) {
     if (!axial) all.push_back(lattice.anyDeformation(qx, qy));
   });
   addLeastDamped(scene, all);
+  addHeld(scene, all);
   return all;
 }
 

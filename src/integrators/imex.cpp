@@ -1,7 +1,8 @@
 // Position Verlet with the damping by the implicit midpoint rule, for the relative law, whose matrix D is constant:
 //   y = x + h/2 v;  (M + h/2 D) v' = (M - h/2 D) v + h F_springs(y);  x' = y + h/2 v'
 // Second order; stable to h w = 2 whatever the damping. D is factored once for each step length; of a large sheet,
-// where that would take minutes, the system is solved by conjugate gradients, as long as these converge.
+// where that would take minutes, the system is solved by conjugate gradients, as long as these converge. The damping
+// and the friction of contact are no such matrix: they are evaluated with v, which is first order.
 #include <fmt/core.h>
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCholesky>
@@ -46,7 +47,7 @@ class Imex final : public Integrator<T> {
 
   void step(Forces<T>& forces, State<T>& state, double t, double h) override {
     drift(forces, state, h / 2);
-    forces.evaluate(t + h / 2, state.position, still_, force_);
+    forces.evaluate(t + h / 2, state.position, still_, force_, state.velocity);
     forces.measurePower(t, state.position, state.velocity);
     forces.addPower(h / 2);
     if (isDamped_) {
@@ -191,6 +192,10 @@ class Imex final : public Integrator<T> {
   Columns velocity_, impulse_;
 };
 
+/// Damping by contact acts explicitly, with the velocity at the start of the step: x'' + d x' + w2 x = 0 then has the
+/// step matrix of symplectic Euler, seen half a step later.
+double stableStepWhereHeld(double w2, double d) { return positiveRoot(w2, 2 * d); }
+
 /// Damping by the midpoint rule only ever shrinks a mode; the springs alone set h^2 w2 <= 4.
 double stableStep(double w2, double /*d*/) { return positiveRoot(w2, 0); }
 
@@ -203,6 +208,7 @@ Method imexMethod() {
           .order = 2,
           .evaluationsPerStep = 1,
           .stableStep = stableStep,
+          .stableStepWhereHeld = stableStepWhereHeld,
           .solves = true,
           .makeFloat = make<Imex, float>,
           .makeDouble = make<Imex, double>};

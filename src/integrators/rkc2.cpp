@@ -81,7 +81,8 @@ class Rkc2 final : public Integrator<T> {
   };
 
   static std::array<std::vector<Vec3>, 3> whatWavesDependOn(const Scene& scene) {
-    return {valuesOf(scene, Role::Stiffness), valuesOf(scene, Role::Damping), {Vec3{cellDamping(scene), 0, 0}}};
+    const double across = holdingTerm(scene).hold.across;
+    return {valuesOf(scene, Role::Stiffness), valuesOf(scene, Role::Damping), {Vec3{cellDamping(scene), across, 0}}};
   }
 
   void chooseStages(double h) {

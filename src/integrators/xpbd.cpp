@@ -4,9 +4,11 @@
 // Each correction of a position goes over h to the velocity. In exact numbers that is the usual v' = (x' - x) / h,
 // whose difference would leave only rounding of a small step in float. Damping acts first, on velocities that weight
 // has not yet changed, as a pair impulse -h kd dv / (1 + h kd (w1 + w2)) per spring: dampers of a cloth at rest then
-// carry nothing. What resists single particles acts implicitly in the kick.
+// carry nothing. What resists single particles acts implicitly in the kick. Bodies are constraints of compliance 1 / k,
+// visited after the springs; their damping and friction act like that of springs.
 #include <cmath>
 
+#include "core/forces/point_math.h"
 #include "core/forces/term.h"
 #include "integrators/kick_and_drift.h"
 #include "integrators/make.h"
@@ -30,13 +32,15 @@ class Xpbd final : public Integrator<T> {
     for (const ListedSpring& spring : springs_) {
       if (spring.kd > 0) damp(forces, state, spring, h);
     }
-    forces.evaluateWithoutSprings(t, state.position, state.velocity, force_);
+    dampTouches(forces, state, t, h);
+    forces.evaluateWithoutStiffness(t, state.position, state.velocity, force_);
     // v' = v + h (F - c v') / m where F holds -c v already
     kick(forces, state, force_, h / (1 + h * forces.inverseMass() * particleDamping(scene_)));
     drift(forces, state, h);
     for (const ListedSpring& spring : springs_) {
       if (spring.ks > 0) project(forces, state, spring, h);
     }
+    projectTouches(forces, state, t + h, h);
   }
   void useParameters(const Scene& scene, const Sheet& sheet) override {
     relistSprings(springs_, scene_, scene, sheet);
@@ -70,6 +74,49 @@ class Xpbd final : public Integrator<T> {
     const Vector d = between(state.position, spring);
     const T squared = dot(d, d);
     if (squared > 0) addPair(state.velocity, spring, w1, w2, s * dot(dv, d) / squared, d);
+  }
+
+  static Point<T> pointOf(const VectorField<T>& field, std::ptrdiff_t i) {
+    return {field.x()[i], field.y()[i], field.z()[i]};
+  }
+  static void addTo(VectorField<T>& field, std::ptrdiff_t i, const Point<T>& a) {
+    field.x()[i] += a.x, field.y()[i] += a.y, field.z()[i] += a.z;
+  }
+  /// Calls `visit(i, touch, numbers)` for what touches the free particle at place i.
+  template <class Visit>
+  void forTouches(const Forces<T>& forces, const State<T>& state, double time, const Visit& visit) const {
+    if (holdingTerm(scene_).term == nullptr) return;
+    const AllTerms::Numbers<T> all = forces.numbersAt(time);
+    const Layout& layout = forces.layout();
+    AllTerms::forEach([&]<class Term>() {
+      if constexpr (Term::kPlace == TermPlace::Blocks) {
+        const typename Term::template Numbers<T>& numbers = all;
+        for (int particle = 0; particle < layout.columns * layout.rows; ++particle) {
+          const std::ptrdiff_t i = layout.at(particle);
+          if (forces.freeMask()[i] == 0) continue;
+          Term::forTouches(PointMath<T>(), pointOf(state.position, i), pointOf(state.velocity, i), numbers,
+                           [&](const auto& touch, T /*stiffness*/) { visit(i, touch, numbers); });
+        }
+      }
+    });
+  }
+  /// Damping and friction, implicitly: v' = v - h c v' / m for each direction.
+  void dampTouches(const Forces<T>& forces, State<T>& state, double t, double h) const {
+    const T perMass = T(h * forces.inverseMass());
+    forTouches(forces, state, t, [&](std::ptrdiff_t i, const auto& touch, const auto& /*numbers*/) {
+      const T along = perMass * touch.damping, across = perMass * touch.friction;
+      addTo(state.velocity, i, (-along / (1 + along) * touch.approach) * touch.normal);
+      addTo(state.velocity, i, (-across / (1 + across)) * touch.slip);
+    });
+  }
+  /// A constraint of compliance 1 / k, as deep as the force is over k.
+  void projectTouches(const Forces<T>& forces, State<T>& state, double t, double h) const {
+    const T w = T(forces.inverseMass());
+    forTouches(forces, state, t, [&](std::ptrdiff_t i, const auto& touch, const auto& numbers) {
+      const T lambda = touch.push / numbers.stiffness / (w + T(1 / (h * h)) / numbers.stiffness);
+      addTo(state.position, i, (w * lambda) * touch.normal);
+      addTo(state.velocity, i, (T(1 / h) * w * lambda) * touch.normal);
+    });
   }
 
   static void project(const Forces<T>& forces, State<T>& state, const ListedSpring& spring, double h) {

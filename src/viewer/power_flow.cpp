@@ -15,6 +15,7 @@ double PowerFlow::missing() const {
 PowerFlow powerBetween(const Ledger& before, const Ledger& after, double seconds) {
   PowerFlow flow;
   for (const EnergyStore& store : energyStores()) {
+    if (!after.stored.has(store.name)) continue;
     const double watts = (after.stored[store.name] - before.stored[store.name]) / seconds;
     if (store.startsAtZero) {
       flow.addSource({store.holder, -watts});

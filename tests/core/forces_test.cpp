@@ -70,7 +70,7 @@ TEST(Forces, AreMinusTheGradientOfTheEnergy) {
     const auto energyAt = [&](int particle, const Vec3& position) {
       State<double> state = bench.state;
       state.position.set(particle, position);
-      const StoredEnergy energy = bench.forces.energy(state);
+      const StoredEnergy energy = bench.forces.energy(0, state);
       return energy.sum() - energy.kinetic;
     };
     for (int i = 0; i < bench.sheet.count(); ++i) {
@@ -91,7 +91,7 @@ TEST(Forces, ElasticAndKineticEnergyEqualTheListOfSprings) {
     const Points at = bench.points();
     double kinetic = 0;
     for (const Vec3& v : at.v) kinetic += bench.scene.particleMass * dot(v, v) / 2;
-    const StoredEnergy energy = bench.forces.energy(bench.state);
+    const StoredEnergy energy = bench.forces.energy(0, bench.state);
     const double elastic = energy.of<StructuralSprings>();
     EXPECT_NEAR(elastic, Oracle(bench.scene).elastic(at), 1e-12 * elastic);
     EXPECT_NEAR(energy.kinetic, kinetic, 1e-12 * kinetic);
@@ -220,7 +220,7 @@ TEST(Forces, CountTheirEvaluations) {
   EXPECT_EQ(bench.forces.evaluations(), 0);
   for (int i = 0; i < 3; ++i) bench.force();
   EXPECT_EQ(bench.forces.evaluations(), 3);
-  EXPECT_EQ(bench.forces.energy(bench.state).kinetic, 0);
+  EXPECT_EQ(bench.forces.energy(0, bench.state).kinetic, 0);
   EXPECT_EQ(bench.forces.evaluations(), 3) << "looking at energies is free";
 }
 

@@ -106,7 +106,8 @@ TEST(EnergyWatch, AfterOtherLiveParametersWhatIsStoredCountsAnew) {
 }
 
 TEST(LiveParameters, ChangesTurnOneSceneIntoTheOther) {
-  const Scene from = softSheet(Damping::Relative);
+  Scene from = softSheet(Damping::Relative);
+  from.bodies.resize(6);
   Scene to = from;
   for (const Parameter& parameter : liveParameters()) {
     const Vec3 old = parameter.get(from);

@@ -289,9 +289,9 @@ double unrest(const Method& method, double h) {
       bench.state.position.set(i, bench.state.position.get(i) + numbers.inCube(1e-3));
     }
   }
-  const double before = bench.forces.energy(bench.state).of<StructuralSprings>();
+  const double before = bench.forces.energy(0, bench.state).of<StructuralSprings>();
   bench.advance(method, 3000 * h, 3000);
-  const StoredEnergy now = bench.forces.energy(bench.state);
+  const StoredEnergy now = bench.forces.energy(0, bench.state);
   return (now.kinetic + now.of<StructuralSprings>() - before) / before;
 }
 

@@ -44,12 +44,13 @@ void fill(AllTerms::Numbers<T>& numbers, const Scene& scene, const Sheet& sheet)
   });
 }
 
-/// The numbers of the terms at a moment; `scene` as Forces::useParameters has it.
+/// The numbers of the terms at a moment.
 template <class T>
-void setMoment(AllTerms::Numbers<T>& numbers, AllTerms::Moment<T>& moments, const Scene& scene, double time) {
+void setMoment(AllTerms::Numbers<T>& numbers, AllTerms::Moment<T>& moments, const Scene& scene, const Acting& acting,
+               double time) {
   AllTerms::forEach([&]<class Term>() {
     if constexpr (requires { typename Term::template Moment<T>; }) {
-      Term::template setMoment<T>(scene, time, static_cast<MomentOf<Term, T>&>(moments).moment, numbers);
+      Term::template setMoment<T>(scene, acting, time, static_cast<MomentOf<Term, T>&>(moments).moment, numbers);
     }
   });
 }
@@ -94,7 +95,8 @@ struct Forces<T>::Kernel {
 
   const RowKernels<T>& kernels = rowKernels<T>();
   Sheet sheet;
-  Scene scene;      // its parameters and winds are those in use
+  Scene scene;  // its parameters are those in use
+  Acting acting;
   RowTask<T> task;  // all that does not change from call to call; its loops store the forces
   EnergyRow<T> energyRow;
   AlignedVector<T> hasRight, hasRight2, isFree;
@@ -105,7 +107,7 @@ struct Forces<T>::Kernel {
   std::vector<Power> rowPowers;              // W, per row
   std::vector<AllTerms::Moment<T>> moments;  // per thread and step of a group
   AllTerms::Moment<double> energyMoment;
-  unsigned particleTerms = 0, cellTerms = 0;           // that the scene has, a bit each
+  unsigned particleTerms = 0, blockTerms = 0, cellTerms = 0;  // that the scene has, a bit each
   bool hasPower = false;                               // whether anything takes or brings power, pins not counted
   std::vector<PushedParticle<T>> pushes;               // by row
   std::array<Progress, kMostSteps / kGroup> finished;  // rows, by each group of steps
@@ -148,13 +150,15 @@ Forces<T>::Forces(const Scene& scene, const Sheet& sheet, Workers& workers)
   RowTask<T>& task = k.task;
   constexpr int kVector = 64 / sizeof(T);  // numbers in the widest vector register
   task.width = (layout_.columns + kVector - 1) / kVector * kVector;
-  task.rows = layout_.rows;
+  task.columns = layout_.columns, task.rows = layout_.rows;
   task.stride = layout_.stride, task.plane = layout_.plane;
   task.hasRight = k.hasRight.data(), task.hasRight2 = k.hasRight2.data(), task.isFree = k.isFree.data();
+  task.isUnpinned = k.isFree.data();
 
   EnergyRow<T>& row = k.energyRow;
   row.columns = layout_.columns, row.rows = layout_.rows;
   row.stride = layout_.stride, row.plane = layout_.plane;
+  row.isUnpinned = k.isFree.data();
   useParameters(scene);
 }
 
@@ -162,17 +166,20 @@ template <class T>
 void Forces<T>::useParameters(const Scene& scene) {
   Kernel& k = *kernel_;
   k.scene = scene;
+  k.acting = {.winds = scene.winds};
   k.particleTerms = termsOf(scene, TermPlace::Particles), k.cellTerms = termsOf(scene, TermPlace::Cells);
+  k.blockTerms = termsOf(scene, TermPlace::Blocks);
+  k.task.addToBlock = k.kernels.addToBlock[k.blockTerms];
   k.task.accumulate = k.kernels.accumulate[k.cellTerms][familiesOf(scene)][int(dampingOf(scene))];
   fill<T>(k.task, scene, k.sheet);
   fill<double>(k.energyRow, scene, k.sheet);
   k.energyRow.axial = scene.damping == Damping::Axial;
-  k.hasPower = isDamped(scene) || k.cellTerms != 0;
+  k.hasPower = isDamped(scene) || k.cellTerms != 0 || k.blockTerms != 0;
 }
 
 template <class T>
-void Forces<T>::blow(std::span<const Wind> winds) {
-  kernel_->scene.winds.assign(winds.begin(), winds.end());
+void Forces<T>::act(const Acting& acting) {
+  kernel_->acting = acting;
 }
 
 template <class T>
@@ -181,31 +188,48 @@ Forces<T>::~Forces() = default;
 template <class T>
 void Forces<T>::evaluate(double time, const VectorField<T>& position, const VectorField<T>& velocity,
                          VectorField<T>& force) {
-  runBands(kernel_->task.accumulate, time, position, velocity, force);
+  runBands([](RowTask<T>&) {}, time, position, velocity, force);
+  finishEvaluation(time, position, velocity, force);
+}
+
+template <class T>
+void Forces<T>::evaluate(double time, const VectorField<T>& position, const VectorField<T>& velocity,
+                         VectorField<T>& force, const VectorField<T>& blockVelocity) {
+  runBands([&](RowTask<T>& task) { task.blockVelocity = blockVelocity.x(); }, time, position, velocity, force);
+  finishEvaluation(time, position, velocity, force);
+}
+
+template <class T>
+void Forces<T>::finishEvaluation(double time, const VectorField<T>& position, const VectorField<T>& velocity,
+                                 VectorField<T>& force) {
   ++account_.evaluations;
   takePower(time, position, velocity);
   if (!movingPins_.empty()) account_.power.pins = takeFromPins(velocity, force);
 }
 
 template <class T>
-void Forces<T>::evaluateWithoutSprings(double time, const VectorField<T>& position, const VectorField<T>& velocity,
-                                       VectorField<T>& force) {
-  runBands(kernel_->kernels.accumulate[kernel_->cellTerms][0][int(DampingTerm::None)], time, position, velocity, force);
+void Forces<T>::evaluateWithoutStiffness(double time, const VectorField<T>& position, const VectorField<T>& velocity,
+                                         VectorField<T>& force) {
+  const auto without = [&](RowTask<T>& task) {
+    task.accumulate = kernel_->kernels.accumulate[kernel_->cellTerms][0][int(DampingTerm::None)];
+    task.addToBlock = nullptr;
+  };
+  runBands(without, time, position, velocity, force);
   if (!movingPins_.empty()) takeFromPins(velocity, force);
 }
 
 /// Each thread finishes a band of rows; the two rows above it are accumulated again rather than waited for.
 template <class T>
-template <class Loop>
-void Forces<T>::runBands(Loop accumulate, double time, const VectorField<T>& position, const VectorField<T>& velocity,
-                         VectorField<T>& force) {
+template <class Change>
+void Forces<T>::runBands(const Change& change, double time, const VectorField<T>& position,
+                         const VectorField<T>& velocity, VectorField<T>& force) {
   Kernel& k = *kernel_;
   RowTask<T> now = k.task;
-  setMoment<T>(now, k.moments.front(), k.scene, time);
+  setMoment<T>(now, k.moments.front(), k.scene, k.acting, time);
   if (!movingPins_.empty()) now.isFree = k.isFreeOrMoves.data();
+  change(now);
   workers_.forBands(layout_.rows, [&](int first, int last, int thread) {
     RowTask<T> task = now;
-    task.accumulate = accumulate;
     task.finish = k.finish(Update::Store);
     task.position = position.x(), task.velocity = velocity.x(), task.force = force.x();
     task.scratch = k.cleanScratch(thread);
@@ -251,7 +275,7 @@ void Forces<T>::advance(Task task, Update update, State<T>& state, double h, int
       for (int step = 0; step < steps; ++step) {
         tasks[std::size_t(step)] = task;
         tasks[std::size_t(step)].scratch = k.cleanScratch(thread * kGroup + step);
-        setMoment<T>(tasks[std::size_t(step)], k.moments[std::size_t(thread * kGroup + step)], k.scene,
+        setMoment<T>(tasks[std::size_t(step)], k.moments[std::size_t(thread * kGroup + step)], k.scene, k.acting,
                      timeOf(group * kGroup + step));
       }
       for (int front = 0; front < rows + lag; ++front) {
@@ -271,7 +295,7 @@ void Forces<T>::measurePower(double time, const VectorField<T>& position, const 
   takePower(time, position, velocity);
   if (movingPins_.empty()) return;
   VectorField<T>& force = kernel_->forceOnPins;
-  runBands(kernel_->task.accumulate, time, position, velocity, force);
+  runBands([](RowTask<T>&) {}, time, position, velocity, force);
   account_.power.pins = takeFromPins(velocity, force);
 }
 
@@ -308,7 +332,7 @@ double Forces<T>::takeFromPins(const VectorField<T>& velocity, VectorField<T>& f
 template <class T>
 AllTerms::Numbers<T> Forces<T>::numbersAt(double time) const {
   AllTerms::Numbers<T> numbers = kernel_->task;
-  setMoment<T>(numbers, kernel_->moments.front(), kernel_->scene, time);
+  setMoment<T>(numbers, kernel_->moments.front(), kernel_->scene, kernel_->acting, time);
   return numbers;
 }
 
@@ -335,10 +359,12 @@ void Forces<T>::clearPushes() {
 }
 
 template <class T>
-StoredEnergy Forces<T>::energy(const State<T>& state) const {
+StoredEnergy Forces<T>::energy(double time, const State<T>& state) const {
   Kernel& k = *kernel_;
+  EnergyRow<T> now = k.energyRow;
+  setMoment<double>(now, k.energyMoment, k.scene, k.acting, time);
   workers_.forBands(layout_.rows, [&](int first, int last, int) {
-    EnergyRow<T> row = k.energyRow;
+    EnergyRow<T> row = now;
     row.position = state.position.x(), row.velocity = state.velocity.x();
     for (row.row = first; row.row < last; ++row.row) {
       k.rowEnergies[static_cast<std::size_t>(row.row)] = k.kernels.energy(row);
@@ -358,7 +384,7 @@ Power Forces<T>::powerOf(double time, const VectorField<T>& position, const Vect
   Power power;
   if (!k.hasPower) return power;
   EnergyRow<T> now = k.energyRow;
-  setMoment<double>(now, k.energyMoment, k.scene, time);
+  setMoment<double>(now, k.energyMoment, k.scene, k.acting, time);
   workers_.forBands(layout_.rows, [&](int first, int last, int) {
     EnergyRow<T> row = now;
     row.position = position.x(), row.velocity = velocity.x();

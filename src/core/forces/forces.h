@@ -4,9 +4,9 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
 
+#include "core/forces/acting.h"
 #include "core/forces/power.h"
 #include "core/forces/state.h"
 #include "core/forces/step_times.h"
@@ -27,10 +27,11 @@ class Forces {
   Forces(const Forces&) = delete;
   Forces& operator=(const Forces&) = delete;
 
-  /// Takes the parameters of this scene, which has the same sheet, from the next evaluation on. All of its winds blow.
+  /// Takes the parameters of this scene, which has the same sheet, from the next evaluation on. All of its winds blow,
+  /// and its bodies stand still.
   void useParameters(const Scene& scene);
-  /// From now on these winds blow and no others.
-  void blow(std::span<const Wind> winds);
+  /// From now on this acts, and nothing else that has a begin and an end.
+  void act(const Acting& acting);
   /// These pins move, at the velocities that the state has for them: what they bring is then worked out with every
   /// evaluation.
   void movePins(std::vector<int> particles);
@@ -49,9 +50,13 @@ class Forces {
   /// the velocity at half steps. The same bits as step by step. The force is that of the end of each step of `times`.
   void leapfrog(State<T>& state, VectorField<T>& predicted, const StepTimes& times, int count);
 
-  /// Everything but the springs, for methods that treat these in a way of their own. No force evaluation.
-  void evaluateWithoutSprings(double time, const VectorField<T>& position, const VectorField<T>& velocity,
-                              VectorField<T>& force);
+  /// The same, with these velocities for the terms of blocks alone.
+  void evaluate(double time, const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force,
+                const VectorField<T>& blockVelocity);
+  /// Everything but the springs and the terms of blocks, for methods that treat these in a way of their own. No force
+  /// evaluation.
+  void evaluateWithoutStiffness(double time, const VectorField<T>& position, const VectorField<T>& velocity,
+                                VectorField<T>& force);
   /// Works out the power of this state, where it is wanted, as an evaluation would.
   void measurePower(double time, const VectorField<T>& position, const VectorField<T>& velocity);
 
@@ -70,8 +75,8 @@ class Forces {
   void addPush(int particle, const Vec3& force);
   void clearPushes();
 
-  /// Energies of this state. Sums run row by row in one fixed order.
-  [[nodiscard]] StoredEnergy energy(const State<T>& state) const;
+  /// Energies of this state at this time (s). Sums run row by row in one fixed order.
+  [[nodiscard]] StoredEnergy energy(double time, const State<T>& state) const;
   /// What damping takes from the cloth and terms bring to it at this time, these positions and velocities, W. Pins are
   /// not counted. No force evaluation.
   [[nodiscard]] Power powerOf(double time, const VectorField<T>& position, const VectorField<T>& velocity) const;
@@ -97,9 +102,12 @@ class Forces {
 
  private:
   struct Kernel;
-  template <class Loop>
-  void runBands(Loop accumulate, double time, const VectorField<T>& position, const VectorField<T>& velocity,
+  /// `changed`: what is to be different in this evaluation from others.
+  template <class Change>
+  void runBands(const Change& change, double time, const VectorField<T>& position, const VectorField<T>& velocity,
                 VectorField<T>& force);
+  void finishEvaluation(double time, const VectorField<T>& position, const VectorField<T>& velocity,
+                        VectorField<T>& force);
   template <class Task, class TimeOf>
   void advance(Task task, Update update, State<T>& state, double h, int count, TimeOf timeOf);
   Layout layout_;

@@ -47,6 +47,9 @@ TYG_INLINE Eight operator*(double a, const Eight& b) {
 TYG_INLINE Eight operator-(const Eight& a) {
   return partByPart([&](int k) { return -a.part[k]; });
 }
+TYG_INLINE Eight smaller(const Eight& a, const Eight& b) {
+  return partByPart([&](int k) { return a.part[k] < b.part[k] ? a.part[k] : b.part[k]; });
+}
 TYG_INLINE Eight larger(const Eight& a, const Eight& b) {
   return partByPart([&](int k) { return a.part[k] > b.part[k] ? a.part[k] : b.part[k]; });
 }
@@ -100,6 +103,14 @@ struct EightMath {
   TYG_INLINE static Eight size(const Eight& a) { return larger(a, -a); }
   TYG_INLINE static Eight nearestWhole(const Eight& a) {
     return partByPart([&](int k) { return LaneMath<double>::nearestWhole(a.part[k]); });
+  }
+  TYG_INLINE static Eight larger(const Eight& a, const Eight& b) { return tyg::larger(a, b); }
+  TYG_INLINE static Eight smaller(const Eight& a, const Eight& b) { return tyg::smaller(a, b); }
+  TYG_INLINE static Eight signOf(const Eight& a) {
+    return partByPart([&](int k) { return LaneMath<double>::signOf(a.part[k]); });
+  }
+  TYG_INLINE static Eight atLeast(const Eight& a, const Eight& b) {
+    return partByPart([&](int k) { return LaneMath<double>::atLeast(a.part[k], b.part[k]); });
   }
   TYG_INLINE static Eight dot(const EightVectors& a, const EightVectors& b) { return dotOf(a, b); }
   TYG_INLINE static EightVectors cross(const EightVectors& a, const EightVectors& b) {
@@ -184,6 +195,7 @@ class RowOfTerms {
   explicit RowOfTerms(const EnergyRow<T>& in)
       : position_(in.position + in.row * in.stride),
         velocity_(in.velocity + in.row * in.stride),
+        isUnpinned_(in.isUnpinned + in.row * in.stride),
         stride_(in.stride),
         plane_(in.plane),
         columns_(in.columns),
@@ -196,6 +208,15 @@ class RowOfTerms {
       return amount(eightVectors(position_ + k, plane_), eightVectors(velocity_ + k, plane_));
     });
   }
+  /// The same with 0 for a pinned particle and 1 for others as a third argument, one amount or two of them at once.
+  template <class Amount>
+  [[nodiscard]] TYG_INLINE double sumOverFree(const Amount& amount) const {
+    return sumOf(columns_, [&](int k) { return amountAt(amount, k); });
+  }
+  template <class Amounts>
+  [[nodiscard]] TYG_INLINE std::array<double, 2> sumsOverFree(const Amounts& amounts) const {
+    return sumsOf(columns_, [&](int k) { return amountAt(amounts, k); });
+  }
   /// Sums of the two numbers that `amounts` says of the positions and the velocities of the corners of each cell below
   /// the row.
   template <class Amounts>
@@ -205,12 +226,16 @@ class RowOfTerms {
   }
 
  private:
+  template <class Amount>
+  [[nodiscard]] TYG_INLINE auto amountAt(const Amount& amount, int k) const {
+    return amount(eightVectors(position_ + k, plane_), eightVectors(velocity_ + k, plane_), eightOf(isUnpinned_ + k));
+  }
   [[nodiscard]] TYG_INLINE Corners<EightVectors> cornersAt(const T* planes) const {
     return {eightVectors(planes, plane_), eightVectors(planes + 1, plane_), eightVectors(planes + stride_, plane_),
             eightVectors(planes + stride_ + 1, plane_)};
   }
 
-  const T *position_, *velocity_;
+  const T *position_, *velocity_, *isUnpinned_;
   std::ptrdiff_t stride_, plane_;
   int columns_;
   bool hasRowBelow_;

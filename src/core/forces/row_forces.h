@@ -167,6 +167,11 @@ struct LaneMath {
     constexpr T kWhole = sizeof(T) == sizeof(float) ? T(12582912) : T(6755399441055744);  // 1.5 / epsilon
     return (a + kWhole) - kWhole;
   }
+  TYG_INLINE static Lanes<T> larger(const Lanes<T>& a, const Lanes<T>& b) { return a > b ? a : b; }
+  TYG_INLINE static Lanes<T> smaller(const Lanes<T>& a, const Lanes<T>& b) { return a < b ? a : b; }
+  TYG_INLINE static Lanes<T> signOf(const Lanes<T>& a) { return a < 0 ? all(-1) : all(1); }
+  /// 1 where a >= b, else 0.
+  TYG_INLINE static Lanes<T> atLeast(const Lanes<T>& a, const Lanes<T>& b) { return a >= b ? all(1) : all(0); }
   TYG_INLINE static Lanes<T> dot(const Vec<T>& a, const Vec<T>& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
   TYG_INLINE static Vec<T> cross(const Vec<T>& a, const Vec<T>& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -243,8 +248,76 @@ void accumulateRow(const RowTask<T>& given, int row, bool finish) {
       rightBefore = onRight, right2Before = across2;
       store(to.own, kBlock, i - begin, f);
     }
-    if (finish) task.finish(task, row, begin, end);
+    if (!finish) continue;
+    if (task.addToBlock != nullptr) task.addToBlock(task, row, begin, end);
+    task.finish(task, row, begin, end);
   }
+}
+
+/// A box around places in space, m.
+template <class T>
+struct Bounds {
+  T low[3], high[3];
+};
+
+/// Particles of one row whose forces are being summed up, as terms of blocks see them.
+template <class T>
+class BlockOfParticles {
+ public:
+  [[nodiscard]] static LaneMath<T> math() { return {}; }
+
+  BlockOfParticles(const RowTask<T>& task, int row, std::ptrdiff_t begin, std::ptrdiff_t end)
+      : position_(task.position + row * task.stride + begin),
+        velocity_((task.blockVelocity != nullptr ? task.blockVelocity : task.velocity) + row * task.stride + begin),
+        isFree_(task.isUnpinned + row * task.stride + begin),
+        force_(task.scratch),
+        plane_(task.plane),
+        size_(end - begin),
+        count_(std::min<std::ptrdiff_t>(size_, task.columns - begin)) {}
+
+  /// Around all particles of the sheet in the block, of which there is at least one.
+  [[nodiscard]] TYG_INLINE Bounds<T> bounds() const {
+    Bounds<T> bounds;
+    for (int axis = 0; axis < 3; ++axis) {
+      const T* x = position_ + axis * plane_;
+      T low = x[0], high = x[0];
+      std::ptrdiff_t i = 0;
+      if (count_ >= kLanes<T>) {
+        Lanes<T> lows = load(x), highs = lows;
+        for (i = kLanes<T>; i + kLanes<T> <= count_; i += kLanes<T>) {
+          const Lanes<T> here = load(x + i);
+          lows = here < lows ? here : lows, highs = here > highs ? here : highs;
+        }
+        for (std::ptrdiff_t lane = 0; lane < kLanes<T>; ++lane) {
+          low = std::min(low, T(lows[lane])), high = std::max(high, T(highs[lane]));
+        }
+      }
+      for (; i < count_; ++i) low = std::min(low, x[i]), high = std::max(high, x[i]);
+      bounds.low[axis] = low, bounds.high[axis] = high;
+    }
+    return bounds;
+  }
+  /// Adds what `force` says of the positions and the velocities of particles, and of whether they are free: 1, or 0 for
+  /// pinned ones and for places without a particle.
+  template <class Force>
+  TYG_INLINE void add(const Force& force) const {
+    for (std::ptrdiff_t i = 0; i < size_; i += kLanes<T>) {
+      const Vec<T> more = force(load(position_, plane_, i), load(velocity_, plane_, i), load(isFree_ + i));
+      store(force_, kBlock, i, load(force_, kBlock, i) + more);
+    }
+  }
+
+ private:
+  const T *position_, *velocity_, *isFree_;
+  T* force_;
+  std::ptrdiff_t plane_, size_, count_;
+};
+
+template <class T, class BlockTerms>
+void addToBlock(const RowTask<T>& given, int row, std::ptrdiff_t begin, std::ptrdiff_t end) {
+  const RowTask<T> task = given;
+  const BlockOfParticles<T> block(task, row, begin, end);
+  BlockTerms::forEach([&]<class Term>() { Term::addToBlock(block, numbersOf<Term>(task)); });
 }
 
 /// The pushes on these particles, which lie from column i on; the others' forces keep their bits.

@@ -39,6 +39,10 @@ using AccumulateRow = void (*)(const RowTask<T>& task, int row, bool finish);
 template <class T>
 using FinishForces = void (*)(const RowTask<T>& task, int row, std::ptrdiff_t begin, std::ptrdiff_t end);
 
+/// The terms of blocks on the forces of places [begin, end) of one row, which are in the task's scratch memory.
+template <class T>
+using AddToBlock = void (*)(const RowTask<T>& task, int row, std::ptrdiff_t begin, std::ptrdiff_t end);
+
 /// A constant force on one particle.
 template <class T>
 struct PushedParticle {
@@ -50,14 +54,17 @@ struct PushedParticle {
 /// rows `stride` apart.
 template <class T>
 struct RowTask : AllTerms::Numbers<T> {
-  int width = 0;  ///< columns rounded up to whole vectors of this precision
-  int rows = 0;   ///< of the sheet
+  int columns = 0;  ///< of the sheet
+  int width = 0;    ///< columns rounded up to whole vectors of this precision
+  int rows = 0;     ///< of the sheet
   std::ptrdiff_t stride = 0, plane = 0;
   const T* position = nullptr;
-  const T* velocity = nullptr;   ///< the one that damping sees
-  const T* hasRight = nullptr;   ///< per column: 1 where column + 1 exists, else 0
-  const T* hasRight2 = nullptr;  ///< per column: 1 where column + 2 exists, else 0
-  const T* isFree = nullptr;     ///< per particle: 0 where pinned or padding, else 1
+  const T* velocity = nullptr;       ///< the one that damping sees
+  const T* hasRight = nullptr;       ///< per column: 1 where column + 1 exists, else 0
+  const T* hasRight2 = nullptr;      ///< per column: 1 where column + 2 exists, else 0
+  const T* isFree = nullptr;         ///< per particle: 0 where pinned or padding, else 1
+  const T* isUnpinned = nullptr;     ///< the same, and 0 also for pins that move, which isFree may let feel forces
+  const T* blockVelocity = nullptr;  ///< the one that terms of blocks see; null: the other one
 
   T* force = nullptr;    ///< Store: where to
   T* moving = nullptr;   ///< other updates: the positions again, to be moved in place
@@ -67,6 +74,7 @@ struct RowTask : AllTerms::Numbers<T> {
 
   T* scratch = nullptr;                   ///< rowScratchSize numbers, all 0 before the first row
   AccumulateRow<T> accumulate = nullptr;  ///< the loops that this scene and update need
+  AddToBlock<T> addToBlock = nullptr;     ///< null: there are no terms of blocks
   FinishForces<T> finish = nullptr;
   const PushedParticle<T>*firstPush = nullptr, *endPush = nullptr;  ///< of the row: those that FinishForces adds
 };
@@ -83,6 +91,7 @@ struct EnergyRow : AllTerms::Numbers<double> {
   std::ptrdiff_t stride = 0, plane = 0;
   const T* position = nullptr;
   const T* velocity = nullptr;
+  const T* isUnpinned = nullptr;  ///< per particle: 0 where pinned or padding, else 1
   bool axial = false;
 };
 
@@ -92,6 +101,7 @@ consteval unsigned subsetsOf(TermPlace place) { return 1U << AllTerms::count(pla
 template <class T>
 struct RowKernels {
   AccumulateRow<T> accumulate[subsetsOf(TermPlace::Cells)][8][3];  ///< by cell terms, families and damping term
+  AddToBlock<T> addToBlock[subsetsOf(TermPlace::Blocks)];          ///< by terms of blocks; null where there are none
   FinishForces<T> finish[3][subsetsOf(TermPlace::Particles)][2];   ///< by update, terms, and whether pushes act
   StoredEnergy (*energy)(const EnergyRow<T>&);                     ///< kinetic: of particles of 1 kg
   Power (*power)(const EnergyRow<T>&);                             ///< pins not counted

@@ -46,11 +46,26 @@ constexpr void fillAllFinish(RowKernels<T>& kernels, std::integer_sequence<unsig
   (fillFinish<T, Update::Leapfrog, terms>(kernels), ...);
 }
 
+template <class T, unsigned terms>
+constexpr AddToBlock<T> addToBlockOf() {
+  using Terms = typename ChosenTerms<TermPlace::Blocks, terms, AllTerms>::Type;
+  if constexpr (Terms::kEmpty) {
+    return nullptr;
+  } else {
+    return addToBlock<T, Terms>;
+  }
+}
+template <class T, unsigned... terms>
+constexpr void fillAllAddToBlock(RowKernels<T>& kernels, std::integer_sequence<unsigned, terms...> /*subsets*/) {
+  ((kernels.addToBlock[terms] = addToBlockOf<T, terms>()), ...);
+}
+
 template <class T>
 constexpr RowKernels<T> allKernels() {
   RowKernels<T> kernels{};
   fillAllAccumulate(kernels, std::make_integer_sequence<unsigned, subsetsOf(TermPlace::Cells)>{});
   fillAllFinish(kernels, std::make_integer_sequence<unsigned, subsetsOf(TermPlace::Particles)>{});
+  fillAllAddToBlock(kernels, std::make_integer_sequence<unsigned, subsetsOf(TermPlace::Blocks)>{});
   kernels.energy = energyOfRow<T>;
   kernels.power = powerOfRow<T>;
   return kernels;

@@ -29,6 +29,16 @@ std::span<const ForceTerm* const> forceTerms() { return kTerms; }
 
 std::span<const EnergyStore> energyStores() { return std::span(kStores.list).first(kStores.count); }
 
+bool storesIn(const Scene& scene, std::size_t k) {
+  bool stores = kStores.list[k].isInEvery;
+  AllTerms::forEach([&]<class Term>() {
+    if constexpr (requires { Term::kStore; }) {
+      stores = stores || (kStores.indexOf(Term::kStore) == k && hasTerm(scene, Term::kTerm));
+    }
+  });
+  return stores;
+}
+
 bool hasTerm(const Scene& scene, const ForceTerm& term) {
   return std::ranges::any_of(term.parameters, [&](const Parameter& parameter) {
     return parameter.decidesPresence && parameter.get(scene) != Vec3{};
@@ -59,6 +69,13 @@ const ForceTerm* cellDampingTerm(const Scene& scene) {
   const auto found = std::ranges::find_if(
       kTerms, [&](const ForceTerm* term) { return term->cellDamping != nullptr && hasTerm(scene, *term); });
   return found == kTerms.end() ? nullptr : *found;
+}
+
+HoldingTerm holdingTerm(const Scene& scene) {
+  for (const ForceTerm* term : forceTerms()) {
+    if (term->hold != nullptr && hasTerm(scene, *term)) return {term, term->hold(scene)};
+  }
+  return {};
 }
 
 bool canSupply(const Scene& scene, std::size_t k) {

@@ -13,6 +13,14 @@
 
 namespace tyg {
 
+/// What a term does to a single particle at most, whatever the springs do.
+struct ParticleHold {
+  double stiffness = 0;  ///< N/m, in one direction
+  double damping = 0;    ///< N s/m, in that direction
+  double across = 0;     ///< N s/m, in the other ones
+  int times = 0;         ///< how often at once, as by several bodies
+};
+
 /// One term of the force. A scene has it where one of the parameters that decide so is not 0.
 struct ForceTerm {
   std::string_view name;  ///< as people read it
@@ -27,6 +35,8 @@ struct ForceTerm {
   bool (*canSupply)(const Scene& scene) = nullptr;
   /// N by which it pulls every particle alike, wherever that is; null: not at all.
   Vec3 (*steadyForce)(const Scene& scene) = nullptr;
+  /// How it holds single particles where they are; null: not at all.
+  ParticleHold (*hold)(const Scene& scene) = nullptr;
 };
 
 /// All terms, in the order of a scene file.
@@ -34,6 +44,9 @@ std::span<const ForceTerm* const> forceTerms();
 
 /// What the terms store energy in.
 std::span<const EnergyStore> energyStores();
+
+/// Whether the k-th of energyStores() is spoken of in a scene.
+bool storesIn(const Scene& scene, std::size_t k);
 
 bool hasTerm(const Scene& scene, const ForceTerm& term);
 void leaveOut(Scene& scene, const ForceTerm& term);
@@ -44,6 +57,12 @@ double particleDamping(const Scene& scene);
 double cellDamping(const Scene& scene);
 /// The first term of the scene that resists the motion of cells; null where there is none.
 const ForceTerm* cellDampingTerm(const Scene& scene);
+/// The term of the scene that holds single particles, if any, and how.
+struct HoldingTerm {
+  const ForceTerm* term = nullptr;  ///< null: none, and all is 0
+  ParticleHold hold;
+};
+HoldingTerm holdingTerm(const Scene& scene);
 /// Whether the k-th of kSupplies can bring energy to the cloth.
 bool canSupply(const Scene& scene, std::size_t k);
 /// N by which all terms together pull every particle alike.

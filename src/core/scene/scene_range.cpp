@@ -59,6 +59,13 @@ void refuseExtremes(const Scene& scene) {
     check.number("wind.at", wind.at);
     if (wind.duration != Wind{}.duration) check.number("wind.for", wind.duration);
   }
+  for (const Body& body : scene.bodies) {
+    check.vector("body.at", body.at);
+    check.vector("body.half", body.half);
+    check.vector("body.to", body.axis);
+    check.number(body.shape == Shape::Box ? "body.rounding" : "body.radius", body.radius);
+  }
+  check.number("contact.gap", scene.contact.gap.value_or(0));
   for (const Move& move : scene.moves) {
     check.vector("move.velocity", move.velocity);
     check.number("move.at", move.at);

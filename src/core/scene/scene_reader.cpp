@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/scene/bodies.h"
 #include "core/scene/key_depth.h"
 #include "core/scene/scene_table.h"
 #include "core/scene/term_keys.h"
@@ -70,8 +71,70 @@ void readTerm(SceneTable& table, const ForceTerm& term, Scene& scene) {
   own->finish();
 }
 
+/// The keys that a shape has.
+void readShape(SceneTable& table, Body& body) {
+  Vec3 to;
+  switch (body.shape) {
+    case Shape::Plane:
+      table.vector("at", body.at), table.vector("normal", body.normal);
+      return table.finish({"shape", "at"});
+    case Shape::Ball:
+      table.vector("at", body.at), table.number("radius", body.radius, Allowed::Positive);
+      return table.finish({"shape", "at", "radius"});
+    case Shape::Capsule:
+      table.vector("from", body.at), table.vector("to", to), table.number("radius", body.radius, Allowed::Positive);
+      body.axis = {to.x - body.at.x, to.y - body.at.y, to.z - body.at.z};
+      return table.finish({"shape", "from", "to", "radius"});
+    case Shape::Box:
+      table.vector("at", body.at), table.vector("half", body.half);
+      table.number("rounding", body.radius, Allowed::Positive);
+      return table.finish({"shape", "at", "half", "rounding"});
+  }
+}
+
+Body readBody(SceneTable table, const Scene& scene) {
+  Body body;
+  table.text("name", body.name);
+  table.choice("shape", body.shape, {"plane", "ball", "capsule", "box"});
+  if (!table.has("shape")) table.finish({"shape"});
+  readShape(table, body);
+  if (table.has("name")) {
+    if (std::ranges::find(scene.bodies, body.name, &Body::name) != scene.bodies.end()) {
+      table.refuse("name", "the name of another body, " + body.name, "a name of its own");
+    }
+    if (body.name.empty() || isPlaceName(body.name)) {
+      table.refuse("name", '"' + body.name + '"', "a name that no particle and no set of particles has");
+    }
+  }
+  Scene alone = scene;
+  alone.bodies = {body};
+  if (const auto unfit = unfitBody(alone)) table.refuse(unfit->key, unfit->found, unfit->allowed);
+  const double length = std::hypot(body.normal.x, body.normal.y, body.normal.z);
+  body.normal = {body.normal.x / length, body.normal.y / length, body.normal.z / length};
+  return body;
+}
+
+/// Needs the springs, from which contact has its stiffness where none is named.
+void completeContact(const SceneTable& root, Scene& scene) {
+  if (scene.bodies.empty()) {
+    if (root.has("contact")) root.refuse("contact", "[contact] without a [[body]]", "both, or neither");
+    return;
+  }
+  if (!root.has("contact")) root.refuse("body", "[[body]] without [contact]", "both, or neither");
+  fillContact(scene);
+  if (scene.contact.stiffness > 0) return;
+  root.refuse("contact", "neither stiffness nor springs to take it from", "a stiffness above 0");
+}
+
+/// What a scene file says of contact besides its parameters.
+void readGap(SceneTable& table, Contact& contact) {
+  if (!table.has("gap")) return;
+  table.number("gap", contact.gap.emplace(0), Allowed::NotNegative);
+}
+
 void readTerms(SceneTable table, std::string_view name, Scene& scene) {
   if (name == kSpringsTable) table.choice("damping", scene.damping, {"relative", "axial"});
+  if (name == kContactTable) readGap(table, scene.contact);
   for (const ForceTerm* term : forceTerms()) {
     if (partsOf(term->parameters.front().key).table == name) readTerm(table, *term, scene);
   }
@@ -106,9 +169,9 @@ Wind readWind(SceneTable table) {
   return wind;
 }
 
-Move readMove(SceneTable table, const Sheet& sheet) {
+Move readMove(SceneTable table, const Sheet& sheet, const std::vector<Body>& bodies) {
   Move move;
-  table.particleSetOrSets("what", sheet, move.what);
+  table.particleSetsOrName("what", sheet, bodies, &Body::name, move.what, move.body);
   table.vector("velocity", move.velocity);
   table.number("at", move.at, Allowed::NotNegative);
   table.number("for", move.duration, Allowed::NotNegative);
@@ -143,7 +206,14 @@ void readRun(SceneTable table, Scene& scene, std::span<const std::string_view> m
     scene.integrator = methods[*method];
   }
   table.number("dt", scene.dt, Allowed::Positive);
+  const double mostTolerance = largestTolerance(scene);
+  scene.tolerance = std::min(scene.tolerance, mostTolerance);
   table.number("tolerance", scene.tolerance, Allowed::Positive);
+  if (scene.tolerance > mostTolerance) {
+    table.refuse(
+        "tolerance", fmt::format("{:g} m", scene.tolerance),
+        fmt::format("up to a thousandth of the layer of contact, {:g} m: coarser steps would miss it", mostTolerance));
+  }
   table.choice("precision", scene.precision, {"float", "double"});
   table.finish({"duration", "integrator", "dt"});
   if (scene.duration / scene.dt > kMostSteps) {
@@ -160,18 +230,20 @@ void readRoot(SceneTable root, Scene& scene, std::span<const std::string_view> m
   std::vector<std::pair<std::string_view, std::optional<SceneTable>>> ofTerms;
   for (const std::string_view name : tablesOfTerms()) ofTerms.emplace_back(name, root.table(name));
   const auto winds = root.tables("wind"), displacements = root.tables("displace"), pushes = root.tables("push");
-  const auto moves = root.tables("move");
+  const auto moves = root.tables("move"), bodies = root.tables("body");
   const auto run = root.table("run");
   root.finish({"title", "sheet", "run"});
 
   readSheet(*sheetTable, scene);
+  for (const SceneTable& table : bodies) scene.bodies.push_back(readBody(table, scene));
   for (const auto& [name, table] : ofTerms) {
     if (table) readTerms(*table, name, scene);
   }
+  completeContact(root, scene);
   const Sheet sheet = makeSheet(scene);
   for (const SceneTable& table : displacements) scene.displacements.push_back(readDisplacement(table, sheet));
   for (const SceneTable& table : pushes) scene.pushes.push_back(readPush(table, sheet));
-  for (const SceneTable& table : moves) scene.moves.push_back(readMove(table, sheet));
+  for (const SceneTable& table : moves) scene.moves.push_back(readMove(table, sheet, scene.bodies));
   for (const SceneTable& table : winds) scene.winds.push_back(readWind(table));
   if (!winds.empty() && !root.has("air")) root.refuse("wind", "[[wind]] without [air]", "both, or neither");
   readRun(*run, scene, methods);

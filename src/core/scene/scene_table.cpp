@@ -165,6 +165,11 @@ void SceneTable::particleSetOrSets(std::string_view key, const Sheet& sheet, std
   for (const toml::node& element : *array) out.push_back(knownPlace(element, sheet));
 }
 
+std::optional<std::string> SceneTable::wordAt(std::string_view key) const {
+  const toml::node* value = table_->get(key);
+  return value == nullptr ? std::nullopt : value->value_exact<std::string>();
+}
+
 Place SceneTable::knownPlace(const toml::node& value, const Sheet& sheet) const {
   Place found = place(value);
   try {

@@ -2,6 +2,7 @@
 // Must not know: which keys a scene has.
 #pragma once
 
+#include <algorithm>
 #include <initializer_list>
 #include <optional>
 #include <span>
@@ -36,8 +37,15 @@ class SceneTable {
   }
   void particle(std::string_view key, const Sheet& sheet, Place& out);
   void particleSets(std::string_view key, const Sheet& sheet, std::vector<Place>& out);
-  /// The same, where a single particle or set may stand alone.
-  void particleSetOrSets(std::string_view key, const Sheet& sheet, std::vector<Place>& out);
+  /// The same, where a single particle or set may stand alone, or else the name of one of `named`, which goes to
+  /// `name`.
+  template <class Named>
+  void particleSetsOrName(std::string_view key, const Sheet& sheet, const std::vector<Named>& named,
+                          std::string Named::*nameOf, std::vector<Place>& out, std::string& name) {
+    const std::optional<std::string> word = wordAt(key);
+    const bool isName = word && !word->empty() && std::ranges::find(named, *word, nameOf) != named.end();
+    isName ? text(key, name) : particleSetOrSets(key, sheet, out);
+  }
   std::optional<SceneTable> table(std::string_view key);
   std::vector<SceneTable> tables(std::string_view key);
 
@@ -48,6 +56,9 @@ class SceneTable {
   [[noreturn]] void refuse(std::string_view key, const std::string& found, const std::string& allowed) const;
 
  private:
+  void particleSetOrSets(std::string_view key, const Sheet& sheet, std::vector<Place>& out);
+  /// The text there, if that is what it is.
+  [[nodiscard]] std::optional<std::string> wordAt(std::string_view key) const;
   struct Asked {
     std::string_view key;
     std::string allowed;

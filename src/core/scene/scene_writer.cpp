@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/forces/terms/contact.h"
+#include "core/scene/bodies.h"
+#include "core/scene/scene_range.h"
 #include "core/scene/term_keys.h"
 #include "util/text.h"
 #include "util/utf8.h"
@@ -126,11 +129,61 @@ void writeTerms(Writer& out, std::string_view name, const Scene& scene) {
   for (const ForceTerm* term : forceTerms()) {
     if (partsOf(term->parameters.front().key).table == name) writeTerm(lines, *term, scene);
   }
+  if (name == kContactTable && hasTerm(scene, ContactTerm::kTerm) && scene.contact.gap) {
+    lines.line("gap", numberText(*scene.contact.gap), "m");
+  }
   std::string text = lines.text();
   if (text.empty() && name == kAirTable && !scene.winds.empty()) text = "density = 0\n";  // a wind needs the table
   if (text.empty()) return;
   out.table("[" + std::string(name) + "]");
   out.append(text);
+}
+
+/// The number that reads back as `along` when `from` is taken from it: a step or two beside the sum, where there is
+/// one.
+double otherEnd(double from, double along) {
+  const double sum = from + along;
+  double above = sum, below = sum;
+  for (int k = 0; k < 3; ++k) {
+    if (above - from == along) return above;
+    if (below - from == along) return below;
+    above = std::nextafter(above, kLargestNumber), below = std::nextafter(below, -kLargestNumber);
+  }
+  return sum;
+}
+
+/// Only where the cloth touches them, as scene files have both or neither.
+void writeBodies(Writer& out, const Scene& scene) {
+  if (!hasTerm(scene, ContactTerm::kTerm)) return;
+  for (const Body& body : scene.bodies) {
+    const Vec3 &at = body.at, &axis = body.axis;
+    out.table("[[body]]");
+    if (!body.name.empty()) out.line("name", quoted(body.name));
+    switch (body.shape) {
+      case Shape::Plane:
+        out.line("shape", "\"plane\"");
+        out.line("at", vectorText(at), "m");
+        out.line("normal", vectorText(body.normal));
+        break;
+      case Shape::Ball:
+        out.line("shape", "\"ball\"");
+        out.line("at", vectorText(at), "m");
+        out.line("radius", numberText(body.radius), "m");
+        break;
+      case Shape::Capsule:
+        out.line("shape", "\"capsule\"");
+        out.line("from", vectorText(at), "m");
+        out.line("to", vectorText({otherEnd(at.x, axis.x), otherEnd(at.y, axis.y), otherEnd(at.z, axis.z)}), "m");
+        out.line("radius", numberText(body.radius), "m");
+        break;
+      case Shape::Box:
+        out.line("shape", "\"box\"");
+        out.line("at", vectorText(at), "m");
+        out.line("half", vectorText(body.half), "m");
+        out.line("rounding", numberText(body.radius), "m");
+        break;
+    }
+  }
 }
 
 void writeEvents(Writer& out, const Scene& scene) {
@@ -148,8 +201,9 @@ void writeEvents(Writer& out, const Scene& scene) {
     if (std::isfinite(wind.duration)) out.line("for", numberText(wind.duration), "s");
   }
   for (const Move& move : scene.moves) {
+    if (!move.body.empty() && !hasTerm(scene, ContactTerm::kTerm)) continue;
     out.table("[[move]]");
-    out.line("what", "[" + joined(move.what, placeText) + "]");
+    out.line("what", move.body.empty() ? "[" + joined(move.what, placeText) + "]" : quoted(move.body));
     out.line("velocity", vectorText(move.velocity), "m/s");
     out.line("at", numberText(move.at), "s");
     out.line("for", numberText(move.duration), "s");
@@ -168,7 +222,8 @@ void writeRun(Writer& out, const Scene& scene) {
   out.line("duration", numberText(scene.duration), "s");
   out.line("integrator", quoted(scene.integrator));
   out.line("dt", numberText(scene.dt), "s");
-  if (scene.tolerance != Scene{}.tolerance) out.line("tolerance", numberText(scene.tolerance), "m");
+  if (scene.tolerance != std::min(Scene{}.tolerance, largestTolerance(scene)))
+    out.line("tolerance", numberText(scene.tolerance), "m");
   if (scene.precision == Precision::Float) out.line("precision", "\"float\"");
 }
 
@@ -181,6 +236,7 @@ std::string sceneToToml(const Scene& scene, std::string_view comment) {
   if (!scene.shows.empty()) out.line("shows", quoted(scene.shows));
   writeSheet(out, scene);
   for (const std::string_view name : tablesOfTerms()) writeTerms(out, name, scene);
+  writeBodies(out, scene);
   writeEvents(out, scene);
   writeRun(out, scene);
   return out.text();

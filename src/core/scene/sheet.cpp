@@ -106,6 +106,8 @@ Sheet makeSheet(const Scene& scene) {
   return sheet;
 }
 
+bool isPlaceName(std::string_view word) { return std::ranges::find(kNames, word) != kNames.end(); }
+
 std::span<const std::string_view> particleNames() { return std::span(kNames).first(kSingles); }
 
 int particleAt(const Sheet& sheet, const Place& place) {

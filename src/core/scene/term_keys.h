@@ -19,6 +19,8 @@ KeyParts partsOf(std::string_view key);
 inline constexpr std::string_view kSpringsTable = "springs";
 /// The table that has to be there where a scene has [[wind]].
 inline constexpr std::string_view kAirTable = "air";
+/// The table that has to be there where a scene has [[body]].
+inline constexpr std::string_view kContactTable = "contact";
 /// The names of all tables that hold terms, each once, in the order of the terms.
 std::vector<std::string_view> tablesOfTerms();
 

@@ -2,6 +2,8 @@
 // moves is handed to each of them in place.
 #include "core/simulation/backend.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "core/simulation/integrator.h"
@@ -39,16 +41,16 @@ class BackendOf final : public Backend {
   void useLiveParameters() override {
     integrator_->useParameters(scene_, sheet_);  // first: it may refuse
     forces_.useParameters(scene_);
-    forces_.blow(blowing_);
+    forces_.act(acting_);
     if (spectrum_) spectrum_->useParameters(scene_);
   }
   void steps(const StepTimes& times, int count) override { integrator_->steps(forces_, state_, times, count); }
   double stepWithin(double time, double most, double tolerance) override {
     return integrator_->stepWithin(forces_, state_, time, most, tolerance);
   }
-  void blow(const std::vector<Wind>& winds) override {
-    blowing_ = winds;
-    forces_.blow(blowing_);
+  void act(const Acting& acting) override {
+    acting_ = acting;
+    forces_.act(acting_);
   }
   void placePin(int particle, const Vec3& position, const Vec3& velocity) override {
     state_.position.set(particle, position);
@@ -65,10 +67,21 @@ class BackendOf final : public Backend {
 
   double liveStableStep(const Method& method, double time) override {
     if (!spectrum_) spectrum_.emplace(scene_, sheet_, workers_);
+    spectrum_->act(acting_);
     return spectrum_->stableStep(method, state_, time);
   }
-  [[nodiscard]] StoredEnergy energy() const override { return forces_.energy(state_); }
-  [[nodiscard]] StoredEnergy startEnergy() const override { return forces_.energy(displacedStart<T>(scene_, sheet_)); }
+  [[nodiscard]] StoredEnergy energy(double time) const override { return forces_.energy(time, state_); }
+  [[nodiscard]] StoredEnergy startEnergy() const override {
+    return forces_.energy(0, displacedStart<T>(scene_, sheet_));
+  }
+  [[nodiscard]] double largestSpeed() const override {
+    const T *x = state_.velocity.x(), *y = state_.velocity.y(), *z = state_.velocity.z();
+    T most = 0;
+    for (std::ptrdiff_t i = 0; i < state_.velocity.layout().plane; ++i) {
+      most = std::max(most, x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+    }
+    return std::sqrt(double(most));
+  }
   [[nodiscard]] Power power(double time) const override {
     return forces_.powerOf(time, state_.position, state_.velocity);
   }
@@ -113,7 +126,7 @@ class BackendOf final : public Backend {
 
   const Scene& scene_;
   const Sheet& sheet_;
-  std::vector<Wind> blowing_;
+  Acting acting_;
   State<T> state_;
   Workers& workers_;
   Forces<T> forces_;

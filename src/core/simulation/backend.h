@@ -28,8 +28,8 @@ class Backend {
   virtual void steps(const StepTimes& times, int count) = 0;
   /// See Integrator::stepWithin.
   virtual double stepWithin(double time, double most, double tolerance) = 0;
-  /// From now on these winds blow.
-  virtual void blow(const std::vector<Wind>& winds) = 0;
+  /// See Forces::act.
+  virtual void act(const Acting& acting) = 0;
   /// Puts a pin there with this velocity, and says which pins move from now on.
   virtual void placePin(int particle, const Vec3& position, const Vec3& velocity) = 0;
   virtual void movePins(std::vector<int> particles) = 0;
@@ -42,9 +42,11 @@ class Backend {
   virtual double liveStableStep(const Method& method, double time) = 0;
   /// See Forces::trackDissipation.
   virtual void trackDissipation(bool on, double time) = 0;
-  [[nodiscard]] virtual StoredEnergy energy() const = 0;
-  /// Energies of the start shape with the parameters of now.
+  [[nodiscard]] virtual StoredEnergy energy(double time) const = 0;
+  /// Energies of the start shape with the parameters of now, at the time 0.
   [[nodiscard]] virtual StoredEnergy startEnergy() const = 0;
+  /// Of any particle, m/s.
+  [[nodiscard]] virtual double largestSpeed() const = 0;
   /// See Forces::powerOf and Forces::energyOfPower.
   [[nodiscard]] virtual Power power(double time) const = 0;
   [[nodiscard]] virtual Power energyOfPower() const = 0;

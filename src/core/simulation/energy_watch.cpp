@@ -31,7 +31,9 @@ Ledger EnergyWatch::ledger(const EnergySample& sample) {
                 .balanceRise = alarm_.balanceRise(),
                 .maxStretch = maxStretch_};
   const StoredEnergy energy = sample.stored.since(start_);
-  for (std::size_t k = 0; k < kStores.count; ++k) ledger.stored.add(kStores.list[k].name, energy.stored[k]);
+  for (std::size_t k = 0; k < kStores.count; ++k) {
+    if (named_.stores[k] || energy.stored[k] != 0) ledger.stored.add(kStores.list[k].name, energy.stored[k]);
+  }
   ledger.work.add("pushes", sample.pushes);
   for (std::size_t k = 0; k < kSupplies.size(); ++k) {
     if (named_.supplies[k] || sample.passed.supplied[k] != 0) ledger.work.add(kSupplies[k], sample.passed.supplied[k]);
@@ -50,8 +52,9 @@ void EnergyWatch::followLedger(bool on, const EnergySample& sample) {
 
 EnergyWatch::Named EnergyWatch::namedIn(const Scene& scene) {
   Named named;
+  for (std::size_t k = 0; k < kStores.count; ++k) named.stores[k] = storesIn(scene, k);
   for (std::size_t k = 0; k < kSupplies.size(); ++k) named.supplies[k] = canSupply(scene, k);
-  named.pins = !scene.moves.empty();
+  named.pins = std::ranges::any_of(scene.moves, [](const Move& move) { return move.body.empty(); });
   return named;
 }
 

@@ -70,8 +70,9 @@ class EnergyWatch {
   double alarmTime_ = std::numeric_limits<double>::quiet_NaN();
   bool gaveUp_ = false;
   double maxStretch_ = 0;
-  /// What can do work in a scene besides pushes.
+  /// What can store energy in a scene, and what can do work besides pushes.
   struct Named {
+    std::array<bool, kStores.list.size()> stores{};
     std::array<bool, kSupplies.size()> supplies{};
     bool pins = false;
   };

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "core/forces/term.h"
+#include "core/scene/bodies.h"
 #include "core/scene/scene_range.h"
 #include "core/simulation/live_parameters.h"
 #include "core/simulation/simulation_impl.h"
@@ -14,6 +15,7 @@ namespace {
 
 Scene withinRange(Scene scene) {
   refuseExtremes(scene);
+  refuseUnfitBodies(scene);
   return scene;
 }
 
@@ -37,7 +39,7 @@ Simulation::Impl::Impl(Scene wanted, const Method& method, const Settings& asked
       settings(asked),
       workers(asked.threads > 0 ? asked.threads : defaultThreads(sheet.count())),
       backend(makeBackend(scene, sheet, method, workers, asked.ledger)),
-      run(scene, sheet, method, backend->energy(), asked.ledger),
+      run(scene, sheet, method, backend->energy(0), asked.ledger),
       timetable(scene) {
   applyPushes();
   applyTimetable();
@@ -60,7 +62,8 @@ void Simulation::Impl::goBackTo(const Checkpoint& checkpoint) {
 }
 
 EnergySample Simulation::Impl::sample(const Power& power) const {
-  EnergySample sample{backend->energy(), run.pushes.work(*backend), backend->energyOfPower(), run.clock.time()};
+  EnergySample sample{backend->energy(run.clock.time()), run.pushes.work(*backend), backend->energyOfPower(),
+                      run.clock.time()};
   sample.passed.supplied = run.supply.upTo(power, run.clock.time(), sample.passed);
   sample.passed.pins += run.pins.work();
   return sample;

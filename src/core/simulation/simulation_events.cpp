@@ -49,7 +49,7 @@ void Simulation::Impl::perform(const WorldEvent& change, std::span<const Method>
                                  joined(liveParameters(), &Parameter::key)));
   }
   const Vec3 before = parameter->get(scene);
-  const double mechanical = run.energies.mechanical(backend->energy());
+  const double mechanical = run.energies.mechanical(backend->energy(run.clock.time()));
   checkSupply();
   parameter->set(scene, change.value);
   try {
@@ -62,14 +62,14 @@ void Simulation::Impl::perform(const WorldEvent& change, std::span<const Method>
   applyTimetable();
   checkSupply();
   forcing = run.pushes.forcing(scene, sheet);
-  const StoredEnergy energy = backend->energy();
+  const StoredEnergy energy = backend->energy(run.clock.time());
   run.energies.begin(scene, sheet, backend->startEnergy(), energy);
   run.pushes.addWork(run.energies.mechanical(energy) - mechanical);
   run.energies.check(sample());
 }
 
 void Simulation::Impl::applyTimetable() {
-  backend->blow(blowingAt(scene, now()));
+  backend->act(actingAt(scene, now()));
   if (!scene.moves.empty()) backend->movePins(run.pins.moving());
 }
 

@@ -76,6 +76,7 @@ struct Simulation::Impl {
   void finishSteps(double h, int count, double timeAfter);
   void askObserver();
   void advance(std::int64_t steps, StepTimes times, double end);
+  [[nodiscard]] double longestFreeStep() const;
   void advanceFreely(double stop);
   void advanceSegment(double stop);
   void runTick();

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
+#include "core/forces/term.h"
+#include "core/scene/bodies.h"
 #include "core/simulation/simulation_impl.h"
 
 namespace tyg {
@@ -99,11 +102,23 @@ void Simulation::Impl::advance(std::int64_t steps, StepTimes times, double end) 
   }
 }
 
+/// How long a step of the method's own choice may be without leaping over a body, s.
+double Simulation::Impl::longestFreeStep() const {
+  if (scene.bodies.empty()) return std::numeric_limits<double>::infinity();
+  double speed = backend->largestSpeed();
+  for (const Move& move : scene.moves) {
+    if (!move.body.empty()) speed += std::hypot(move.velocity.x, move.velocity.y, move.velocity.z);
+  }
+  const Vec3 steady = steadyForce(scene);
+  return stepThatMeetsBodies(scene, speed, std::hypot(steady.x, steady.y, steady.z) / sheet.particleMass);
+}
+
 /// Steps of the method's own choice. Where these become so short that the run would not end, the tolerance is below
 /// what rounding leaves of the numbers: the run advances no further.
 void Simulation::Impl::advanceFreely(double stop) {
   while (!halted() && run.clock.time() < stop) {
-    const double most = stop - run.clock.time(), taken = backend->stepWithin(run.clock.time(), most, scene.tolerance);
+    const double most = stop - run.clock.time();
+    const double taken = backend->stepWithin(run.clock.time(), std::min(most, longestFreeStep()), scene.tolerance);
     finishSteps(taken, 1, taken == most ? stop : run.clock.time() + taken);
     if (most > kMostSteps * taken) run.energies.giveUp(run.clock.time());
   }

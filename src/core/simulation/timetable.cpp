@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/forces/terms/contact.h"
+
 namespace tyg {
 
 namespace {
@@ -46,11 +48,12 @@ bool Timetable::isEdge(const Instant& now) const {
   return next != edges_.end() && *next <= now.time + now.sameTime;
 }
 
-std::vector<Wind> blowingAt(const Scene& scene, const Instant& now) {
-  std::vector<Wind> blowing;
-  std::ranges::copy_if(scene.winds, std::back_inserter(blowing),
+Acting actingAt(const Scene& scene, const Instant& now) {
+  Acting acting;
+  std::ranges::copy_if(scene.winds, std::back_inserter(acting.winds),
                        [&](const Wind& wind) { return now.isWithin(wind.at, wind.duration); });
-  return blowing;
+  for (const Body& body : scene.bodies) acting.bodies.push_back(motionOf(scene, body, now.time, now.sameTime));
+  return acting;
 }
 
 }  // namespace tyg

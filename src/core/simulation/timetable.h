@@ -1,9 +1,10 @@
-// The times at which something of a scene begins or ends, besides pushes: winds and the motions of pins. A regular
-// type. Must not know: what happens then.
+// The times at which something of a scene begins or ends, besides pushes: winds and the motions of pins and bodies. A
+// regular type. Must not know: what happens then.
 #pragma once
 
 #include <vector>
 
+#include "core/forces/acting.h"
 #include "core/simulation/instant.h"
 #include "tyg/scene.h"
 
@@ -25,7 +26,7 @@ class Timetable {
 /// The times within a run at which a push, a wind or a motion of its scene begins or ends, each once, ascending, s.
 std::vector<double> edgesWithin(const Scene& scene);
 
-/// The winds of a scene that blow from now until the next edge.
-std::vector<Wind> blowingAt(const Scene& scene, const Instant& now);
+/// What of a scene acts from now until the next edge.
+Acting actingAt(const Scene& scene, const Instant& now);
 
 }  // namespace tyg

@@ -56,7 +56,11 @@ Lattice::Lattice(const Scene& scene)
       particleDamping_(particleDamping(scene) / scene.particleMass),
       cellDamping_(wide_ && tall_ ? cellDamping(scene) / scene.particleMass : 0),
       stiffness_(constantsOf(scene, &SpringFamily::ks)),
-      damping_(constantsOf(scene, &SpringFamily::kd)) {}
+      damping_(constantsOf(scene, &SpringFamily::kd)) {
+  const ParticleHold hold = holdingTerm(scene).hold;
+  heldStiffness_ = hold.times * hold.stiffness / scene.particleMass;
+  heldDamping_ = hold.times * std::max(hold.damping, hold.across) / scene.particleMass;
+}
 
 Lattice::Constants Lattice::constantsOf(const Scene& scene, double SpringFamily::*constant) {
   const double perMass = 1 / scene.particleMass;

@@ -66,9 +66,10 @@ class Lattice {
 
   /// A mode that no motion of this wave exceeds in stiffness or damping, however the sheet is deformed: a spring pulls
   /// with no more than ks in every direction (its Hessian never exceeds ks times the graph Laplacian), and either law
-  /// of damping with no more than kd (docs/model.md, section 8).
+  /// of damping with no more than kd; contact adds no more than every body at once (docs/model.md, section 8).
   [[nodiscard]] Mode anyDeformation(double qx, double qy) const {
-    return {everyWay(stiffness_, qx, qy), particleDamping_ + everyWay(damping_, qx, qy) + ofCells(qx, qy)};
+    return {heldStiffness_ + everyWay(stiffness_, qx, qy),
+            heldDamping_ + particleDamping_ + everyWay(damping_, qx, qy) + ofCells(qx, qy)};
   }
 
  private:
@@ -87,7 +88,8 @@ class Lattice {
 
   bool wide_, tall_;
   Damping law_;
-  double particleDamping_, cellDamping_;  // 1/s
+  double particleDamping_, cellDamping_;        // 1/s
+  double heldStiffness_ = 0, heldDamping_ = 0;  // 1/s2 and 1/s, of what holds single particles, at most
   Constants stiffness_, damping_;
 };
 

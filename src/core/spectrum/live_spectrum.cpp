@@ -9,6 +9,7 @@
 
 #include "core/forces/field_ops.h"
 #include "core/forces/term.h"
+#include "core/forces/terms/contact.h"
 #include "util/noise.h"
 
 namespace tyg {
@@ -19,13 +20,22 @@ namespace {
 constexpr double kMixed = 0.01;
 constexpr double kNothingNew = 1e-4;  // of a product outside the earlier ones: what is left is rounding
 
-/// The springs and what resists particles: steady forces do not depend on the state, and air is counted apart.
+/// The springs, what resists particles and what holds them: steady forces do not depend on the state, and air and
+/// friction are counted apart.
 Scene withoutAir(Scene scene) {
   scene = withoutSteadyForce(std::move(scene));
+  scene.contact.friction = 0;
   for (const ForceTerm* term : forceTerms()) {
     if (term->cellDamping != nullptr) leaveOut(scene, *term);
   }
   return scene;
+}
+
+/// Where it is at a time, at rest: the damping of a motion counts from there.
+BodyMotion stoppedAt(const BodyMotion& motion, double time) {
+  return {{motion.offset.x + time * motion.velocity.x, motion.offset.y + time * motion.velocity.y,
+           motion.offset.z + time * motion.velocity.z},
+          {}};
 }
 
 /// Of all waves of the sheet at rest, 1/s.
@@ -44,13 +54,12 @@ LiveSpectrum<T>::LiveSpectrum(const Scene& scene, const Sheet& sheet, Workers& w
       law_(scene.damping),
       lattice_(scene),
       forces_(withoutAir(scene), sheet, workers),
-      ofAir_(cellDamping(scene) / sheet.particleMass),
       ofRow_(std::size_t(layout_.rows)) {
   for (Follower& follower : followers_) follower.direction = VectorField<T>(layout_);
   for (VectorField<T>* field : {&force_, &position_, &velocity_}) *field = VectorField<T>(layout_);
   for (VectorField<T>& field : basis_) field = VectorField<T>(layout_);
   for (VectorField<T>& field : image_) field = VectorField<T>(layout_);
-  mostDamped_ = mostDampedOf(lattice_);
+  countApart(scene);
   const bool flat = scene.start == Start::Flat;
   along_[kStiff] = flat ? Vec3{1, 0, 0.7} : Vec3{1, 0.7, 0};
   along_[kDamped] = law_ == Damping::Axial ? along_[kStiff] : flat ? Vec3{0.1, 1, 0.1} : Vec3{0.1, 0.1, 1};
@@ -59,12 +68,19 @@ LiveSpectrum<T>::LiveSpectrum(const Scene& scene, const Sheet& sheet, Workers& w
 template <class T>
 void LiveSpectrum<T>::useParameters(const Scene& scene) {
   forces_.useParameters(withoutAir(scene));
-  ofAir_ = cellDamping(scene) / mass_;
   lattice_ = Lattice(scene);
-  mostDamped_ = mostDampedOf(lattice_);
+  countApart(scene);
   isStarted_ = false;
   turn_ = kStiff;
   seed_ = kFirstSeed;
+}
+
+template <class T>
+void LiveSpectrum<T>::countApart(const Scene& scene) {
+  const ParticleHold hold = holdingTerm(scene).hold;
+  mostDamped_ = mostDampedOf(lattice_) + hold.damping / mass_;
+  ofAir_ = cellDamping(scene) / mass_;
+  ofFriction_ = hold.across / mass_;
 }
 
 /// From the wave that sets the limit of the sheet at rest, fading towards the edges as the modes of a free sheet do.
@@ -100,19 +116,28 @@ void LiveSpectrum<T>::startFrom(Which which, const LatticeWave& wave) {
 template <class T>
 double LiveSpectrum<T>::stableStep(const Method& method, const State<T>& state, double time) {
   time_ = time;
+  for (BodyMotion& motion : acting_.bodies) motion = stoppedAt(motion, time);
+  forces_.act(acting_);
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   if (method.stableStep == nullptr) return kNone;
   const bool both = !hasStraightLevelLines(method, mostDamped_);
   if (!isStarted_) start(method, both);
   if (!follow(method, both ? turn_ : kStiff, state)) return kNone;
   turn_ = turn_ == kStiff ? kDamped : kStiff;
+  const double apart = ofAir_ + (ofFriction_ > 0 && touches(state) ? ofFriction_ : 0);
   const auto limit = [&](Which which) {
     const Mode& mode = followers_[which].mode;
     if (!(mode.w2 > 0 || mode.d > 0)) return std::numeric_limits<double>::infinity();
     const double still = method.stableStep(mode.w2, mode.d);
-    return ofAir_ > 0 ? std::min(still, method.stableStep(mode.w2, mode.d + ofAir_)) : still;
+    return apart > 0 ? std::min(still, method.stableStep(mode.w2, mode.d + apart)) : still;
   };
   return both ? std::min(limit(kStiff), limit(kDamped)) : limit(kStiff);
+}
+
+/// Whether any particle touches a body.
+template <class T>
+bool LiveSpectrum<T>::touches(const State<T>& state) const {
+  return forces_.energy(time_, state).template of<ContactTerm>() > 0;
 }
 
 template <class T>

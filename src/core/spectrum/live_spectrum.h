@@ -33,6 +33,9 @@ class LiveSpectrum {
   /// Begins anew with the parameters of this scene, which has the same sheet.
   void useParameters(const Scene& scene);
 
+  /// From now on this acts: bodies are where it says. Winds do not matter.
+  void act(const Acting& acting) { acting_ = acting; }
+
   /// Largest stable step, s, at this state; see Simulation::liveStableStep. Allocates nothing.
   double stableStep(const Method& method, const State<T>& state, double time);
   /// All force evaluations so far.
@@ -46,6 +49,8 @@ class LiveSpectrum {
   };
   enum Which { kStiff, kDamped };
 
+  void countApart(const Scene& scene);
+  [[nodiscard]] bool touches(const State<T>& state) const;
   void start(const Method& method, bool both);
   void startFrom(Which which, const LatticeWave& wave);
   /// False where the state is not finite.
@@ -68,8 +73,10 @@ class LiveSpectrum {
   std::array<Vec3, 2> along_;  // a direction that each follower's mode moves in at rest
   bool isStarted_ = false;
   Forces<T> forces_;
-  double ofAir_ = 0;  ///< 1/s, that air adds to the damping of a motion at most
-  double time_ = 0;   ///< s, of the present state
+  Acting acting_;
+  double ofAir_ = 0;       ///< 1/s, that air adds to the damping of a motion at most
+  double ofFriction_ = 0;  ///< the same of friction, where particles touch something
+  double time_ = 0;        ///< s, of the present state
   std::array<Follower, 2> followers_;
   Which turn_ = kStiff;
   static constexpr std::uint32_t kFirstSeed = 1;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 
+#include "core/forces/term.h"
 #include "core/spectrum/level_line.h"
 #include "core/spectrum/rest_spectrum.h"
 #include "study/limits/wave_search.h"
@@ -131,17 +132,32 @@ double finiteSheetLimit(const Scene& scene, const Method& method, const Mode& of
   return std::min(across, settledLimit(method, farthest, ofLattice));
 }
 
-}  // namespace
-
-double unboundedLimit(const Scene& scene, const Method& method) {
+double unboundedLatticeLimit(const Scene& scene, const Method& method) {
   if (method.stableStepOfScene != nullptr) return finiteOrNone(method.stableStepOfScene(scene));
   if (method.stableStep == nullptr) return kNone;
   return finiteOrNone(restWave(scene, method).value);
 }
 
-double restLatticeLimit(const Scene& scene, const Method& method) {
+/// The smaller one of two limits, of which either may be NaN.
+double smallerOf(double a, double b) { return std::fmin(a, b); }
+
+/// A particle that is held moves along the normal like the first mode, and along the surface like the second.
+std::array<Mode, 2> heldModes(const Scene& scene) {
+  const ParticleHold hold = holdingTerm(scene).hold;
+  const double perMass = 1 / scene.particleMass, everywhere = perMass * particleDamping(scene);
+  return {{{perMass * hold.stiffness, perMass * hold.damping + everywhere}, {0, perMass * hold.across + everywhere}}};
+}
+
+double heldLimitOf(const Method& method, const Mode& mode) {
+  if (!(mode.w2 > 0 || mode.d > 0)) return kEveryStep;
+  return method.stableStepWhereHeld != nullptr ? method.stableStepWhereHeld(mode.w2, mode.d)
+                                               : method.stableStep(mode.w2, mode.d);
+}
+
+/// Of the lattice alone.
+double latticeLimit(const Scene& scene, const Method& method) {
   const std::optional<Scene> sheet = RestSpectrum::smallSheet(scene);
-  if (method.stableStep == nullptr || !sheet) return unboundedLimit(scene, method);
+  if (method.stableStep == nullptr || !sheet) return unboundedLatticeLimit(scene, method);
   const LowestWave wave = restWave(scene, method);
   const double unbounded = finiteOrNone(wave.value);
   if (!(unbounded > 0)) return unbounded;
@@ -152,14 +168,33 @@ double restLatticeLimit(const Scene& scene, const Method& method) {
   return finiteOrNone(std::max(StepLimit::kBelowMeeting * own, std::min(own, unbounded)));
 }
 
+}  // namespace
+
+double heldLimit(const Scene& scene, const Method& method) {
+  if (method.stableStep == nullptr || holdingTerm(scene).term == nullptr) return kNone;
+  const auto [along, across] = heldModes(scene);
+  return finiteOrNone(std::min(heldLimitOf(method, along), heldLimitOf(method, across)));
+}
+
+double unboundedLimit(const Scene& scene, const Method& method) {
+  return smallerOf(unboundedLatticeLimit(scene, method), heldLimit(scene, method));
+}
+
+double restLatticeLimit(const Scene& scene, const Method& method) {
+  return smallerOf(latticeLimit(scene, method), heldLimit(scene, method));
+}
+
 double certifiedLimit(const Scene& scene, const Method& method) {
   if (method.stableStep == nullptr) return kNone;
   const Lattice lattice(scene);
+  const bool isHeld = holdingTerm(scene).term != nullptr;
   const auto over = [&](const WaveFunction& function) { return lowestWave(lattice, function); };
   const double mostD = -over([&](double qx, double qy) { return -lattice.anyDeformation(qx, qy).d; }).value;
   if (hasStraightLevelLines(method, mostD)) {
-    return finiteOrNone(
-        over([&](double qx, double qy) { return limitOf(method, lattice.anyDeformation(qx, qy)); }).value);
+    return finiteOrNone(over([&](double qx, double qy) {
+                          const Mode mode = lattice.anyDeformation(qx, qy);
+                          return isHeld ? heldLimitOf(method, mode) : limitOf(method, mode);
+                        }).value);
   }
   const double mostW2 = -over([&](double qx, double qy) { return -lattice.anyDeformation(qx, qy).w2; }).value;
   return finiteOrNone(smallestWithin(method, {mostW2, mostD}));
@@ -170,6 +205,15 @@ StepLimit stepLimit(const Scene& scene, const Method& method) {
   limit.predicted = restLatticeLimit(scene, method);
   limit.certified = certifiedLimit(scene, method);
   if (std::isnan(limit.predicted)) return limit;
+  const double held = heldLimit(scene, method);
+  limit.byContact = held == limit.predicted && !(latticeLimit(scene, method) <= held);
+  if (limit.byContact) {
+    const auto [along, across] = heldModes(scene);
+    const bool slides = heldLimitOf(method, across) < heldLimitOf(method, along);
+    limit.mode = slides ? across : along;
+    limit.byDamping = slides || method.stableStep(0, along.d) < method.stableStep(along.w2, 0);
+    return limit;
+  }
   const Lattice lattice(scene);
   if (method.stableStep == nullptr || limit.predicted == 0) {
     // Where no step holds, the fastest wave grows first; where stages run out, the wave of the fastest root.

@@ -10,13 +10,16 @@
 
 namespace tyg {
 
-/// Largest stable step (s) of a method over the motions of the scene's lattice at rest, all damping included: the one
-/// number that commands, studies and the window call the limit at rest. Of small sheets and of narrow ones it is that
-/// of their own spectrum with its edges and pins (RestSpectrum::smallSheet); others are taken as unbounded, which pins
-/// and edges only loosen. 0 where no step is stable; NaN where the method has no limit or nothing on the sheet sets one
-/// (free fall).
+/// Largest stable step (s) of a method over the motions of the scene's lattice at rest, all damping included, and of a
+/// particle that rests on a body (heldLimit()): the one number that commands, studies and the window call the limit at
+/// rest. Of small sheets and of narrow ones it is that of their own spectrum with its edges and pins
+/// (RestSpectrum::smallSheet); others are taken as unbounded, which pins and edges only loosen. 0 where no step is
+/// stable; NaN where the method has no limit or nothing on the sheet sets one (free fall).
 double restLatticeLimit(const Scene& scene, const Method& method);
-/// The same of the unbounded lattice, whatever the size of the sheet.
+/// The largest stable step (s) of a single particle that contact holds: along the normal w2 = k/m and d = 2 zeta
+/// sqrt(k/m), along the surface d = grip/m. NaN where nothing holds particles, or the method has no limit.
+double heldLimit(const Scene& scene, const Method& method);
+/// The same as the first of the unbounded lattice, whatever the size of the sheet.
 double unboundedLimit(const Scene& scene, const Method& method);
 
 /// A step (s) up to which no deformation of the sheet makes the method unstable: each mode of the sheet as it is at any
@@ -39,6 +42,7 @@ struct StepLimit {
   Mode mode;                ///< its frequency and damping
   bool outOfPlane = false;  ///< does it move across the sheet?
   bool byDamping = false;   ///< damping sets the limit rather than stiffness
+  bool byContact = false;   ///< a particle that rests on a body sets the limit, and not the springs
 };
 StepLimit stepLimit(const Scene& scene, const Method& method);
 

@@ -49,7 +49,10 @@ std::vector<Amount> amountsOf(const Ledger& ledger, const WorkNames& names) {
   std::vector<Amount> amounts{{"kinetic", "masses", Kinetic, ledger.kinetic}};
   std::size_t channel = Stored;
   for (const EnergyStore& store : energyStores()) {
-    amounts.push_back({std::string(store.name), store.holder, channel++, ledger.stored[store.name]});
+    if (ledger.stored.has(store.name)) {
+      amounts.push_back({std::string(store.name), store.holder, channel, ledger.stored[store.name]});
+    }
+    ++channel;
   }
   amounts.push_back({"dissipated", "dampers", Dissipated, ledger.dissipated});
   channel = Work;
@@ -126,7 +129,10 @@ class EnergyPanel final : public Panel {
     const auto value = [&](std::size_t channel) { return double(series_.value(k, channel)); };
     Ledger ledger{.kinetic = value(Kinetic), .dissipated = value(Dissipated)};
     std::size_t channel = Stored;
-    for (const EnergyStore& store : energyStores()) ledger.stored.add(store.name, value(channel++));
+    for (const EnergyStore& store : energyStores()) {
+      if (ledger_.stored.has(store.name)) ledger.stored.add(store.name, value(channel));
+      ++channel;
+    }
     channel = Work;
     for (const std::string_view name : works_) ledger.work.add(name, value(channel++));
     return ledger;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/forces/point_math.h"
 #include "core/forces/term.h"
 
 namespace tyg {
@@ -116,27 +117,14 @@ double dampingOfCells(const Scene& scene) {
   return scene.air.density * scene.air.coefficient * scene.spacing * scene.spacing * fastest;
 }
 
-/// Arithmetic for terms, of one place at a time.
-struct Vector {
-  double x = 0, y = 0, z = 0;
-  friend Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-  friend Vector operator*(double a, const Vector& b) { return {a * b.x, a * b.y, a * b.z}; }
-};
-struct VectorMath {
-  static double all(double number) { return number; }
-  static Vector all3(const double (&numbers)[3]) { return {numbers[0], numbers[1], numbers[2]}; }
-  static double size(double a) { return std::abs(a); }
-  static double nearestWhole(double a) { return std::nearbyint(a); }
-  static double dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-};
-
 }  // namespace
 
 template <class T>
-void AirTerm::setMoment(const Scene& scene, double time, Moment<T>& moment, Numbers<T>& numbers) {
+void AirTerm::setMoment(const Scene& /*scene*/, const Acting& acting, double time, Moment<T>& moment,
+                        Numbers<T>& numbers) {
   moment.gusts.clear();
   std::array<double, 3> steady{};
-  for (const Wind& wind : scene.winds) {
+  for (const Wind& wind : acting.winds) {
     const std::array<double, 3> velocity{wind.velocity.x, wind.velocity.y, wind.velocity.z};
     const std::array<double, 3> gust{wind.gust.x, wind.gust.y, wind.gust.z};
     for (std::size_t axis = 0; axis < 3; ++axis) steady[axis] += velocity[axis];
@@ -155,20 +143,19 @@ void AirTerm::setMoment(const Scene& scene, double time, Moment<T>& moment, Numb
   numbers.firstGusts = moment.gusts.data();
   numbers.endGusts = moment.gusts.data() + moment.gusts.size();
 }
-template void AirTerm::setMoment(const Scene&, double, Moment<float>&, Numbers<float>&);
-template void AirTerm::setMoment(const Scene&, double, Moment<double>&, Numbers<double>&);
+template void AirTerm::setMoment(const Scene&, const Acting&, double, Moment<float>&, Numbers<float>&);
+template void AirTerm::setMoment(const Scene&, const Acting&, double, Moment<double>&, Numbers<double>&);
 
 Vec3 windAt(const Scene& scene, double time, const Vec3& place) {
   if (!(scene.air.density > 0)) return {};
-  Scene blowing;
-  blowing.winds = scene.winds;
+  Acting blowing{.winds = scene.winds};
   std::erase_if(blowing.winds, [&](const Wind& wind) { return time < wind.at || time >= wind.at + wind.duration; });
   AirTerm::Moment<double> moment;
   AirTerm::Numbers<double> numbers;
-  AirTerm::setMoment(blowing, time, moment, numbers);
-  Vector sum = VectorMath::all3(numbers.steady);
+  AirTerm::setMoment(scene, blowing, time, moment, numbers);
+  Point<double> sum = PointMath<double>::all3(numbers.steady);
   for (const auto& gusts : moment.gusts) {
-    sum = sum + AirTerm::gustOf(VectorMath(), gusts, Vector{place.x, place.y, place.z});
+    sum = sum + AirTerm::gustOf(PointMath<double>(), gusts, Point<double>{place.x, place.y, place.z});
   }
   return {sum.x, sum.y, sum.z};
 }

@@ -8,6 +8,7 @@
 #include <array>
 #include <vector>
 
+#include "core/forces/acting.h"
 #include "core/forces/terms/term_list.h"
 #include "tyg/sheet.h"
 
@@ -46,9 +47,9 @@ struct AirTerm {
     return {T(scene.air.density * scene.air.coefficient / 16),
             T(kTiny * sheet.spacing * sheet.spacing * sheet.spacing * sheet.spacing)};
   }
-  /// The winds of the scene, all of which blow, at this time (s). Allocates nothing for as many winds as before.
+  /// The winds that blow, at this time (s). Allocates nothing for as many winds as before.
   template <class T>
-  static void setMoment(const Scene& scene, double time, Moment<T>& moment, Numbers<T>& numbers);
+  static void setMoment(const Scene& scene, const Acting& acting, double time, Moment<T>& moment, Numbers<T>& numbers);
 
   /// What the air does to a cell.
   template <class Vector>

@@ -3,13 +3,14 @@
 #pragma once
 
 #include "core/forces/terms/air.h"
+#include "core/forces/terms/contact.h"
 #include "core/forces/terms/drag.h"
 #include "core/forces/terms/gravity.h"
 #include "core/forces/terms/springs.h"
 
 namespace tyg {
 
-using AllTerms = TermList<StructuralSprings, ShearSprings, BendSprings, Gravity, Drag, AirTerm>;
+using AllTerms = TermList<StructuralSprings, ShearSprings, BendSprings, Gravity, Drag, AirTerm, ContactTerm>;
 
 /// What these terms store energy in.
 inline constexpr auto kStores = AllTerms::stores();

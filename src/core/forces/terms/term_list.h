@@ -14,6 +14,7 @@ enum class TermPlace {
   Springs,    ///< fused: the springs of one family, from particle to particle
   Always,     ///< added to every sum of springs, zero or not
   Particles,  ///< where a row is finished: addTo() changes the force on a particle
+  Blocks,     ///< before a block of a row is finished: addToBlock() changes the forces on its particles
   Cells,      ///< where a row's springs are gathered: cornerForce() is added to each corner of the cell below right
 };
 
@@ -22,6 +23,7 @@ struct EnergyStore {
   std::string_view name;      ///< of the energy, as people read it: `elastic`
   std::string_view holder;    ///< what stores it: `springs`
   bool startsAtZero = false;  ///< it has no natural zero, and counts from the shape at the start of a run
+  bool isInEvery = true;      ///< it is spoken of in every scene, and not only where a term has it
 };
 
 template <std::size_t most>
