@@ -140,7 +140,8 @@ void ContactTerm::setMoment(const Scene& scene, const Acting& acting, double tim
     const Vec3& axis = body.axis;
     if (body.shape == Shape::Plane) {
       put(body.normal, solid.axis);
-      solid.radius = T(gapOf(scene, body));
+      const Vec3 at = sum(sum(body.at, 1, motion.offset), time, motion.velocity), &normal = body.normal;
+      solid.radius = T((at.x * normal.x + at.y * normal.y + at.z * normal.z) + gapOf(scene, body));
     } else if (body.shape == Shape::Capsule) {
       put(axis, solid.axis);
       solid.perSquare = T(1 / (axis.x * axis.x + axis.y * axis.y + axis.z * axis.z));
