@@ -39,11 +39,6 @@ const Parameter* findParameter(std::string_view key) {
   return found == all.end() ? nullptr : &*found;
 }
 
-bool allows(const Parameter& parameter, const Vec3& value) {
-  if (parameter.allowed == Allowed::Any || parameter.count > 1) return true;
-  return parameter.allowed == Allowed::Positive ? !(value.x <= 0) : !(value.x < 0);
-}
-
 std::vector<Vec3> valuesOf(const Scene& scene, Role role) {
   std::vector<Vec3> values;
   for (const Parameter& parameter : liveParameters()) {

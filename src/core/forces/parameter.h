@@ -45,10 +45,6 @@ std::span<const Parameter> liveParameters();
 /// Null where there is no parameter of that key.
 const Parameter* findParameter(std::string_view key);
 
-/// Whether a parameter may have this value, of which a single number is x. Numbers that are not finite are not its
-/// affair.
-bool allows(const Parameter& parameter, const Vec3& value);
-
 /// The scene's values of all parameters of one role: where these are the same, so is what depends on them.
 std::vector<Vec3> valuesOf(const Scene& scene, Role role);
 

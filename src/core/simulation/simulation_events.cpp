@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/forces/parameter.h"
+#include "core/scene/bodies.h"
 #include "core/scene/scene_range.h"
 #include "core/simulation/simulation_impl.h"
 #include "util/text.h"
@@ -48,16 +49,13 @@ void Simulation::Impl::perform(const WorldEvent& change, std::span<const Method>
     throw InputError(fmt::format("world: found the parameter '{}', allowed: {}", change.parameter,
                                  joined(liveParameters(), &Parameter::key)));
   }
-  if (!allows(*parameter, change.value)) {
-    throw InputError(fmt::format("world: found {} = {:g}, allowed {}", parameter->key, change.value.x,
-                                 parameter->allowed == Allowed::Positive ? "above 0" : "0 and above"));
-  }
   const Vec3 before = parameter->get(scene);
   const double mechanical = run.energies.mechanical(backend->energy(run.clock.time()));
   checkSupply();
   parameter->set(scene, change.value);
   try {
     refuseExtremeParameters(scene);
+    refuseUnfitBodies(scene);
     backend->useLiveParameters();
   } catch (...) {
     parameter->set(scene, before);

@@ -126,6 +126,23 @@ struct ContactTerm {
     }
     return touch;
   }
+  /// The force of a level plane, whose normal points straight up or down: what touchOf() says, with nothing to project.
+  template <bool rubs, class Vector, class Math, class Number, class T>
+  [[gnu::always_inline]] static Vector forceOfFloor(const Math& math, const Solid<T>& solid, const Vector& place,
+                                                    const Vector& velocity, const Number& isFree,
+                                                    const Numbers<T>& numbers) {
+    const Number up = math.all(solid.axis[1]);
+    const Number s = isFree * stepOf(math, math.all(numbers.perLayer) * (math.all(solid.radius) - up * place.y));
+    const Vector relative = velocity - math.all3(solid.velocity);
+    const Number push = math.all(numbers.force) * s;
+    const Number damping = math.all(numbers.damping) * (s / (s + math.all(T(0.5))));
+    const Number along = up * push - damping * relative.y;
+    if constexpr (!rubs) return {math.all(0), along, math.all(0)};
+    const Number slow = math.all(numbers.slip) * push;
+    const Number squared = relative.x * relative.x + relative.z * relative.z + slow * slow + math.all(kTinySpeed<T>);
+    const Number friction = math.all(numbers.friction) * push / math.root(squared);
+    return {-(friction * relative.x), along, -(friction * relative.z)};
+  }
   /// The stiffness of a body's push, which pushes to the depth `below`, N/m.
   template <class Math, class Number, class T>
   static Number stiffnessAt(const Math& math, const Number& below, const Numbers<T>& numbers) {
@@ -141,6 +158,11 @@ struct ContactTerm {
       const auto math = block.math();
       const Numbers<T> known = numbers;  // on the stack, where no store can alias them
       const Solid<T> solid = reached;
+      if (shape == Shape::Plane && solid.axis[0] == 0 && solid.axis[2] == 0) {
+        return block.add([&]<class Vector>(const Vector& place, const Vector& velocity, const auto& isFree) {
+          return forceOfFloor<rubs, Vector>(math, solid, place, velocity, isFree, known);
+        });
+      }
       block.add([&](const auto& place, const auto& velocity, const auto& isFree) {
         return touchOf<shape, rubs>(math, solid, place, velocity, isFree, known).force();
       });
