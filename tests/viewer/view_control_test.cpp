@@ -115,7 +115,7 @@ ViewControl viewOfASquare() {
   ViewControl view;
   const auto corners = kSquare.corners();
   view.begin({corners.begin(), corners.end()});
-  view.follow(kSquare, false);
+  view.follow(kSquare, {}, false);
   return view;
 }
 
@@ -134,7 +134,7 @@ TEST(ViewControl, FramesWhereAClothWillGetToOnlyBeforeItHasMoved) {
   view.begin({{-5, -5, 0}, {5, 5, 0}});
   view.resize(kWindow, {});
   const float wide = view.camera().distance();
-  view.follow(kSquare, true);
+  view.follow(kSquare, {}, true);
   view.frameCloth();
   EXPECT_LT(view.camera().distance(), 0.5F * wide);
 }
