@@ -35,16 +35,19 @@ class Rings {
   [[nodiscard]] int places() const { return 4 * (perQuarter_ + 1); }  ///< of a ring
   [[nodiscard]] Direction at(int ring, int place) const {
     const int half = ring / (perQuarter_ + 1), quarter = place / (perQuarter_ + 1) % 4;
-    const float down = turned(ring - half), around = turned(place - place / (perQuarter_ + 1));
+    const int down = ring - half, around = place - place / (perQuarter_ + 1);
     const bool isRight = quarter == 0 || quarter == 3, isFront = quarter < 2;
-    return {{std::sin(down) * std::cos(around), std::cos(down), std::sin(down) * std::sin(around)},
+    return {{sine(down) * cosine(around), cosine(down), sine(down) * sine(around)},
             {isRight ? 1 : -1, half == 0 ? 1 : -1, isFront ? 1 : -1}};
   }
 
  private:
-  [[nodiscard]] float turned(int pieces) const {
-    return 1.57079633F * float(pieces % (4 * perQuarter_)) / float(perQuarter_);
+  /// Of so many pieces of a turn; exactly 0 where it is 0, so that what should meet does.
+  [[nodiscard]] float sine(int pieces) const {
+    return pieces % (2 * perQuarter_) == 0 ? 0 : std::sin(1.57079633F * float(pieces) / float(perQuarter_));
   }
+  [[nodiscard]] float cosine(int pieces) const { return sine(pieces + perQuarter_); }
+
   int perQuarter_;
 };
 
