@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/forces/masks.h"
 #include "core/forces/row_kernel.h"
 #include "core/forces/term.h"
 #include "util/workers.h"
@@ -53,24 +54,6 @@ void setMoment(AllTerms::Numbers<T>& numbers, AllTerms::Moment<T>& moments, cons
       Term::template setMoment<T>(scene, acting, time, static_cast<MomentOf<Term, T>&>(moments).moment, numbers);
     }
   });
-}
-
-/// 1 for every column that has a neighbour `distance` to the right.
-template <class T>
-AlignedVector<T> columnMask(const Layout& layout, int distance) {
-  AlignedVector<T> mask(static_cast<std::size_t>(layout.stride));
-  for (int column = 0; column + distance < layout.columns; ++column) mask[static_cast<std::size_t>(column)] = T(1);
-  return mask;
-}
-
-/// 1 for every particle of the sheet that is not pinned.
-template <class T>
-AlignedVector<T> maskOfFree(const Layout& layout, const Sheet& sheet) {
-  AlignedVector<T> mask(static_cast<std::size_t>(layout.plane));
-  for (int particle = 0; particle < sheet.count(); ++particle)
-    mask[static_cast<std::size_t>(layout.at(particle))] = T(1);
-  for (const int pin : sheet.pins) mask[static_cast<std::size_t>(layout.at(pin))] = T(0);
-  return mask;
 }
 
 /// How far a group of steps has come, alone on its cache line.
