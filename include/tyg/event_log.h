@@ -40,8 +40,41 @@ struct WorldEvent {
   bool operator==(const WorldEvent&) const = default;
 };
 
+/// A particle is pinned where it is, or is a pin no longer.
+struct PinEvent {
+  int particle = 0;
+  bool pinned = true;
+  bool operator==(const PinEvent&) const = default;
+};
+
+/// A hand holds a particle and moves it with this velocity until the next such event or a ReleaseEvent.
+struct GrabEvent {
+  int particle = 0;
+  Vec3 velocity{};  ///< m/s
+  bool operator==(const GrabEvent&) const = default;
+};
+
+/// The hand lets go: the particle flies on with the velocity that it has, or is the pin that it was.
+struct ReleaseEvent {
+  int particle = 0;
+  bool operator==(const ReleaseEvent&) const = default;
+};
+
+/// The cloth is cut.
+struct CutEvent {
+  CutLine line;
+  bool operator==(const CutEvent&) const = default;
+};
+
+/// The last cuts by hand are taken back.
+struct MendEvent {
+  int cuts = 1;  ///< >= 1
+  bool operator==(const MendEvent&) const = default;
+};
+
 /// What can happen. A further kind is one more struct here, and one entry in core/simulation/event_kinds.cpp.
-using EventAction = std::variant<PushEvent, MethodEvent, StepEvent, WorldEvent>;
+using EventAction =
+    std::variant<PushEvent, MethodEvent, StepEvent, WorldEvent, PinEvent, GrabEvent, ReleaseEvent, CutEvent, MendEvent>;
 
 struct Event {
   std::int64_t tick = 0;  ///< the event takes effect at the beginning of this tick
@@ -71,7 +104,7 @@ struct EventLog {
 ///     ## title = "Curtain"
 ///     (the scene's own text, each line after `## `)
 ///     # push: tick,push,particle,fx_N,fy_N,fz_N,ticks
-///     (one such line for each kind of event: it names the columns of the lines of that kind)
+///     (one such line for each kind of event in it: it names the columns of the lines of that kind)
 ///     # world: tick,world,parameter,value,value_y,value_z
 ///     (a parameter that is a single number has `value` alone; the unit is that of the parameter)
 ///     tick,event,...

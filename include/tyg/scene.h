@@ -83,6 +83,19 @@ struct Move {
   bool operator==(const Move&) const = default;
 };
 
+/// A straight cut through the sheet in grid coordinates, which may lie between particles and outside the sheet.
+struct CutLine {
+  double fromColumn = 0, fromRow = 0, toColumn = 0, toRow = 0;
+  bool operator==(const CutLine&) const = default;
+};
+
+/// The cloth is cut at a time.
+struct Cut {
+  CutLine line;
+  double at = 0;  ///< s, >= 0
+  bool operator==(const Cut&) const = default;
+};
+
 enum class Shape { Plane, Ball, Capsule, Box };
 
 /// Something solid that the particles touch.
@@ -139,6 +152,7 @@ struct Scene {
   std::vector<Displacement> displacements;
   std::vector<Push> pushes;
   std::vector<Move> moves;
+  std::vector<Cut> cuts;
 
   double duration = 1;      ///< s, > 0
   std::string integrator;   ///< a registered method's name

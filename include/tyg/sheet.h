@@ -2,6 +2,9 @@
 // them. Third of the headers to read. Must not know: the moving state, forces, methods.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -10,6 +13,35 @@
 
 namespace tyg {
 
+/// Which springs and cells of a sheet are gone, bit by bit for the particle that they belong to. Most sheets have none.
+class Missing {
+ public:
+  /// Of particle (c, r): the springs to (c+1, r) and (c, r+1); the two diagonals of the cell right and below, from
+  /// (c, r) and from (c+1, r); the bend springs to (c+2, r) and (c, r+2); and that cell.
+  enum Bit : std::uint8_t {
+    Right = 1,
+    Down = 2,
+    DownRight = 4,
+    DownLeft = 8,
+    Right2 = 16,
+    Down2 = 32,
+    Cell = 64,
+  };
+
+  [[nodiscard]] bool none() const { return !bits_; }
+  [[nodiscard]] bool has(int particle, Bit bit) const { return bits_ && ((*bits_)[std::size_t(particle)] & bit) != 0; }
+  /// Whether anything of the row that begins with this particle is gone.
+  [[nodiscard]] bool anyIn(int firstParticle, int columns) const;
+  /// The same and what a cut takes: a spring whose ends stand on different sides of the cut's line, where the cut's
+  /// ends are not strictly on one side of the spring's line. A particle on the line counts towards larger columns, on a
+  /// cut along a row towards larger rows. A cell goes with any of its diagonals, whether or not these are springs.
+  [[nodiscard]] Missing withCut(int columns, int rows, const CutLine& cut) const;
+  bool operator==(const Missing& other) const;
+
+ private:
+  std::shared_ptr<const std::vector<std::uint8_t>> bits_;  ///< by particle; null: nothing is gone
+};
+
 /// A grid of equal particles. Particle (column c, row r) has the index r * columns + c; row 0 is at the top or back.
 struct Sheet {
   int columns = 1, rows = 1;
@@ -17,12 +49,14 @@ struct Sheet {
   double particleMass = 1;  ///< kg
   Start start = Start::Hanging;
   std::vector<int> pins;  ///< indices of the pinned particles, ascending, each once
+  Missing missing{};      ///< what cuts and tears have taken
 
   [[nodiscard]] int count() const { return columns * rows; }
   /// The larger of (columns-1)*spacing and (rows-1)*spacing, m; spacing itself for a single particle.
   [[nodiscard]] double size() const;
   /// Position of a particle in the start shape, before displacements, m.
   [[nodiscard]] Vec3 startPosition(int particle) const;
+  bool operator==(const Sheet&) const = default;
 };
 
 /// The sheet of a scene. Throws InputError where a pin lies outside.
@@ -42,7 +76,8 @@ enum class Family { Structural, Shear, Bend };
 struct SpringEnds {
   int first, second;
 };
-/// Every spring of a family once: structural (c+1,r), (c,r+1); shear (c+1,r+1), (c-1,r+1); bend (c+2,r), (c,r+2).
+/// Every spring of a family that is there, once: structural (c+1,r), (c,r+1); shear (c+1,r+1), (c-1,r+1); bend (c+2,r),
+/// (c,r+2).
 std::vector<SpringEnds> springsOf(const Sheet& sheet, Family family);
 /// How many springs a family has, without listing them.
 long long springCount(const Sheet& sheet, Family family);

@@ -99,6 +99,19 @@ class Simulation {
   /// it is not used. What that adds to the energies counts as work. Throws InputError where the method does not take
   /// them.
   void useLiveParameters(const Scene& scene);
+  /// Pins a particle where it is, or frees it, from the next tick on. This and the four functions after it add to the
+  /// log, and throw InputError for a particle outside the sheet.
+  void pin(int particle, bool pinned);
+  /// From the next tick on a hand holds a particle and moves it with this velocity (m/s), whatever pulls at it, until
+  /// it is given another one or released: it is a pin that moves, and what it does counts as the work of pins.
+  void grab(int particle, const Vec3& velocity);
+  /// Lets go: the particle keeps its velocity, or is again the pin that it was.
+  void release(int particle);
+  /// Cuts the cloth along a line in grid coordinates, from the next tick on. What the springs that it takes hold counts
+  /// as dissipated. Throws InputError for a line without length.
+  void cut(const CutLine& line);
+  /// Takes back the last cuts that cut() made, as many of them as there are.
+  void mend(int cuts = 1);
   /// From the next tick on, does what happened to another simulation of the same sheet, whenever that was. `methods` is
   /// where the name of a method is looked up. Throws InputError where it does not fit this simulation.
   void apply(const Event& event, std::span<const Method> methods);
@@ -120,7 +133,7 @@ class Simulation {
   [[nodiscard]] int threads() const;
   [[nodiscard]] const Scene& scene() const;       ///< with the springs and the world that are in use
   [[nodiscard]] const Scene& startScene() const;  ///< as it began
-  [[nodiscard]] const Sheet& sheet() const;
+  [[nodiscard]] const Sheet& sheet() const;       ///< as it is now, with its pins and what was cut
   [[nodiscard]] const Method& method() const;
   [[nodiscard]] const EventLog& log() const;  ///< everything that happened since the start
 

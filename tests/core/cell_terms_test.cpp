@@ -55,7 +55,7 @@ std::vector<Vec3> forcesByRows(const Bench<double>& bench) {
   task.scratch = scratch.data();
   task.finish = finishForces<double, Update::Store, TermList<>, false>;
   for (int row = 0; row < layout.rows; ++row) {
-    accumulateRow<double, families, DampingTerm::None, TermList<CornerSum>>(task, row, true);
+    accumulateRow<double, families, DampingTerm::None, TermList<CornerSum>, false>(task, row, true);
   }
   std::vector<Vec3> all;
   for (int i = 0; i < bench.sheet.count(); ++i) all.push_back(force.get(i));

@@ -83,6 +83,7 @@ struct Forces<T>::Kernel {
   RowTask<T> task;  // all that does not change from call to call; its loops store the forces
   EnergyRow<T> energyRow;
   AlignedVector<T> hasRight, hasRight2, isFree;
+  RowMasks<T> masks;
   AlignedVector<T> isFreeOrMoves;            // where pins move, else empty
   VectorField<T> forceOnPins;                // where pins move: scratch memory
   std::vector<AlignedVector<T>> scratch;     // per thread and step of a group
@@ -105,6 +106,11 @@ struct Forces<T>::Kernel {
       rowTask.firstPush = std::to_address(first), rowTask.endPush = std::to_address(end);
       rowTask.finish = kernels.finish[int(update)][particleTerms][first == end ? 0 : 1];
     }
+    if (!masks.none()) {
+      rowTask.there = masks.of(row);
+      (rowTask.there != nullptr ? rowTask.masked : rowTask.accumulate)(rowTask, row, finishes);
+      return;
+    }
     rowTask.accumulate(rowTask, row, finishes);
   }
   T* cleanScratch(int slot) {
@@ -123,13 +129,13 @@ Forces<T>::Forces(const Scene& scene, const Sheet& sheet, Workers& workers)
   Kernel& k = *kernel_;
   k.hasRight = columnMask<T>(layout_, 1);
   k.hasRight2 = columnMask<T>(layout_, 2);
-  k.isFree = maskOfFree<T>(layout_, sheet);
   k.scratch.assign(static_cast<std::size_t>(workers.threads() * kGroup),
                    AlignedVector<T>(rowScratchSize(layout_.stride)));
   k.moments.resize(k.scratch.size());
   k.rowEnergies.resize(static_cast<std::size_t>(layout_.rows));
   k.rowPowers.resize(static_cast<std::size_t>(layout_.rows));
 
+  k.isFree.resize(static_cast<std::size_t>(layout_.plane));
   RowTask<T>& task = k.task;
   constexpr int kVector = 64 / sizeof(T);  // numbers in the widest vector register
   task.width = (layout_.columns + kVector - 1) / kVector * kVector;
@@ -142,7 +148,16 @@ Forces<T>::Forces(const Scene& scene, const Sheet& sheet, Workers& workers)
   row.columns = layout_.columns, row.rows = layout_.rows;
   row.stride = layout_.stride, row.plane = layout_.plane;
   row.isUnpinned = k.isFree.data();
+  useSheet(sheet);
   useParameters(scene);
+}
+
+template <class T>
+void Forces<T>::useSheet(const Sheet& sheet) {
+  Kernel& k = *kernel_;
+  k.sheet = sheet;
+  std::ranges::copy(maskOfFree<T>(layout_, sheet), k.isFree.begin());
+  k.masks = RowMasks<T>(layout_, sheet.missing);
 }
 
 template <class T>
@@ -154,6 +169,7 @@ void Forces<T>::useParameters(const Scene& scene) {
   k.blockTerms = termsOf(scene, TermPlace::Blocks);
   k.task.addToBlock = k.kernels.addToBlock[k.blockTerms];
   k.task.accumulate = k.kernels.accumulate[k.cellTerms][familiesOf(scene)][int(dampingOf(scene))];
+  k.task.masked = k.kernels.masked[k.cellTerms][familiesOf(scene)][int(dampingOf(scene))];
   fill<T>(k.task, scene, k.sheet);
   fill<double>(k.energyRow, scene, k.sheet);
   k.energyRow.axial = scene.damping == Damping::Axial;
@@ -195,6 +211,7 @@ void Forces<T>::evaluateWithoutStiffness(double time, const VectorField<T>& posi
                                          VectorField<T>& force) {
   const auto without = [&](RowTask<T>& task) {
     task.accumulate = kernel_->kernels.accumulate[kernel_->cellTerms][0][int(DampingTerm::None)];
+    task.masked = kernel_->kernels.masked[kernel_->cellTerms][0][int(DampingTerm::None)];
     task.addToBlock = nullptr;
   };
   runBands(without, time, position, velocity, force);
@@ -350,6 +367,7 @@ StoredEnergy Forces<T>::energy(double time, const State<T>& state) const {
     EnergyRow<T> row = now;
     row.position = state.position.x(), row.velocity = state.velocity.x();
     for (row.row = first; row.row < last; ++row.row) {
+      row.there = k.masks.of(row.row);
       k.rowEnergies[static_cast<std::size_t>(row.row)] = k.kernels.energy(row);
     }
   });
@@ -372,6 +390,7 @@ Power Forces<T>::powerOf(double time, const VectorField<T>& position, const Vect
     EnergyRow<T> row = now;
     row.position = position.x(), row.velocity = velocity.x();
     for (row.row = first; row.row < last; ++row.row) {
+      row.there = k.masks.of(row.row);
       k.rowPowers[static_cast<std::size_t>(row.row)] = k.kernels.power(row);
     }
   });

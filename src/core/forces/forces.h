@@ -30,6 +30,9 @@ class Forces {
   /// Takes the parameters of this scene, which has the same sheet, from the next evaluation on. All of its winds blow,
   /// and its bodies stand still.
   void useParameters(const Scene& scene);
+  /// The same sheet with other pins, or with more of it gone, from the next evaluation on. Moving pins and pushes are
+  /// to be given anew.
+  void useSheet(const Sheet& sheet);
   /// From now on this acts, and nothing else that has a begin and an end.
   void act(const Acting& acting);
   /// These pins move, at the velocities that the state has for them: what they bring is then worked out with every

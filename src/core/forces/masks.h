@@ -2,6 +2,9 @@
 // Must not know: forces.
 #pragma once
 
+#include <vector>
+
+#include "core/forces/row_kernel.h"
 #include "core/forces/state.h"
 
 namespace tyg {
@@ -23,5 +26,37 @@ AlignedVector<T> maskOfFree(const Layout& layout, const Sheet& sheet) {
   for (const int pin : sheet.pins) mask[static_cast<std::size_t>(layout.at(pin))] = T(0);
   return mask;
 }
+
+/// The masks of every row of which something is gone, as RowTask::there has them.
+template <class T>
+class RowMasks {
+ public:
+  RowMasks() = default;
+  RowMasks(const Layout& layout, const Missing& missing) {
+    if (missing.none()) return;
+    ofRow_.resize(static_cast<std::size_t>(layout.rows));
+    for (int row = 0; row < layout.rows; ++row) {
+      if (!missing.anyIn(row * layout.columns, layout.columns)) continue;
+      AlignedVector<T>& masks = ofRow_[static_cast<std::size_t>(row)];
+      masks.assign(static_cast<std::size_t>(kMasks * layout.stride), T(1));
+      for (int mask = 0; mask < kMasks; ++mask) {
+        for (int column = 0; column < layout.columns; ++column) {
+          if (!missing.has(row * layout.columns + column, Missing::Bit(1U << mask))) continue;
+          masks[static_cast<std::size_t>(mask * layout.stride + column)] = T(0);
+        }
+      }
+    }
+  }
+  /// Whether nothing is gone anywhere.
+  [[nodiscard]] bool none() const { return ofRow_.empty(); }
+  /// Null: nothing of the row is gone.
+  [[nodiscard]] const T* of(int row) const {
+    if (ofRow_.empty() || ofRow_[static_cast<std::size_t>(row)].empty()) return nullptr;
+    return ofRow_[static_cast<std::size_t>(row)].data();
+  }
+
+ private:
+  std::vector<AlignedVector<T>> ofRow_;
+};
 
 }  // namespace tyg

@@ -118,7 +118,8 @@ struct EightMath {
   }
 };
 
-/// Calls `visit(law, a, b, n)` for the runs of springs that start in this row: n springs from a+k to b+k.
+/// Calls `visit(law, a, b, n, there)` for the runs of springs that start in this row: n springs from a+k to b+k.
+/// `there` has 1 for each that is there and 0 for others; null: all are there.
 template <class T, class Visit>
 TYG_INLINE void forSpringRuns(const EnergyRow<T>& in, const Visit& visit) {
   const std::ptrdiff_t s = in.stride, a = in.row * s;
@@ -126,12 +127,13 @@ TYG_INLINE void forSpringRuns(const EnergyRow<T>& in, const Visit& visit) {
   const bool down = in.row + 1 < in.rows, down2 = in.row + 2 < in.rows;
   const SpringLaw<double>&structural = in.StructuralSprings::template Numbers<double>::law,
         &shear = in.ShearSprings::template Numbers<double>::law, &bend = in.BendSprings::template Numbers<double>::law;
-  visit(structural, a, a + 1, n - 1);
-  if (down) visit(structural, a, a + s, n);
-  if (down) visit(shear, a, a + s + 1, n - 1);
-  if (down) visit(shear, a + 1, a + s, n - 1);
-  visit(bend, a, a + 2, n - 2);
-  if (down2) visit(bend, a, a + 2 * s, n);
+  const auto there = [&](int mask) { return in.there == nullptr ? nullptr : in.there + mask * s; };
+  visit(structural, a, a + 1, n - 1, there(0));
+  if (down) visit(structural, a, a + s, n, there(1));
+  if (down) visit(shear, a, a + s + 1, n - 1, there(2));
+  if (down) visit(shear, a + 1, a + s, n - 1, there(3));
+  visit(bend, a, a + 2, n - 2, there(4));
+  if (down2) visit(bend, a, a + 2 * s, n, there(5));
 }
 
 /// Sums over k < n in the fixed order; `term(k)` gives the terms of k to k + 7. Those past n are not counted: they come
@@ -169,12 +171,13 @@ TYG_INLINE std::array<double, 2> sumsOf(int n, const Terms& terms) {
 /// Elastic energy of a run, and the largest stretch beside it.
 template <class T>
 double elasticOfRun(const EnergyRow<T>& in, const SpringLaw<double>& law, std::ptrdiff_t a, std::ptrdiff_t b, int n,
-                    double& maxStretch) {
+                    const T* there, double& maxStretch) {
   const Eight rest = partByPart([&](int) { return Lanes<double>{} + law.rest; });
   Eight longest;
   const double energy = sumOf(n, [&](int k) {
     const EightVectors d = differences(in.position, in.plane, a + k, b + k);
     Eight elongation = squareRoots(dotOf(d, d)) - rest;
+    if (there != nullptr) elongation = eightOf(there + k) * elongation;
     if (k + kSums > n) elongation.keepFirst(n - k);
     longest = larger(elongation, longest);
     return 0.5 * law.ks * elongation * elongation;
@@ -199,6 +202,7 @@ class RowOfTerms {
         stride_(in.stride),
         plane_(in.plane),
         columns_(in.columns),
+        cellsThere_(in.there == nullptr ? nullptr : in.there + 6 * in.stride),
         hasRowBelow_(in.row + 1 < in.rows) {}
 
   /// Of the coordinates of the particles along an axis, m.
@@ -224,7 +228,11 @@ class RowOfTerms {
   template <class Amounts>
   [[nodiscard]] TYG_INLINE std::array<double, 2> sumsOverCells(const Amounts& amounts) const {
     if (!hasRowBelow_) return {};
-    return sumsOf(columns_ - 1, [&](int k) { return amounts(cornersAt(position_ + k), cornersAt(velocity_ + k)); });
+    return sumsOf(columns_ - 1, [&](int k) {
+      auto both = amounts(cornersAt(position_ + k), cornersAt(velocity_ + k));
+      if (cellsThere_ != nullptr) both = {eightOf(cellsThere_ + k) * both[0], eightOf(cellsThere_ + k) * both[1]};
+      return both;
+    });
   }
 
  private:
@@ -240,6 +248,7 @@ class RowOfTerms {
   const T *position_, *velocity_, *isUnpinned_;
   std::ptrdiff_t stride_, plane_;
   int columns_;
+  const T* cellsThere_;
   bool hasRowBelow_;
 };
 
@@ -260,8 +269,8 @@ StoredEnergy energyOfRow(const EnergyRow<T>& given) {
     }
   });
   double& elastic = sum.of<StructuralSprings>();
-  forSpringRuns(in, [&](const SpringLaw<double>& law, std::ptrdiff_t a, std::ptrdiff_t b, int n) {
-    if (law.ks > 0 || law.kd > 0) elastic += elasticOfRun(in, law, a, b, n, sum.maxStretch);
+  forSpringRuns(in, [&](const SpringLaw<double>& law, std::ptrdiff_t a, std::ptrdiff_t b, int n, const T* there) {
+    if (law.ks > 0 || law.kd > 0) elastic += elasticOfRun(in, law, a, b, n, there, sum.maxStretch);
   });
   return sum;
 }
@@ -285,10 +294,11 @@ Power powerOfRow(const EnergyRow<T>& given) {
     }
   });
   const Eight tiny = partByPart([](int) { return Lanes<double>{} + 1e-300; });
-  forSpringRuns(in, [&](const SpringLaw<double>& law, std::ptrdiff_t a, std::ptrdiff_t b, int n) {
+  forSpringRuns(in, [&](const SpringLaw<double>& law, std::ptrdiff_t a, std::ptrdiff_t b, int n, const T* there) {
     if (law.kd <= 0) return;
     sum += law.kd * sumOf(n, [&](int k) {
-             const EightVectors dv = differences(in.velocity, in.plane, a + k, b + k);
+             EightVectors dv = differences(in.velocity, in.plane, a + k, b + k);
+             if (there != nullptr) dv = eightOf(there + k) * dv;
              if (!in.axial) return dotOf(dv, dv);
              const EightVectors d = differences(in.position, in.plane, a + k, b + k);
              const Eight along = dotOf(dv, d);

@@ -196,7 +196,7 @@ TYG_INLINE Vec<T> cellForce(const RowTask<T>& task, const Exists& exists, std::p
 
 /// The springs of one row, six for each particle, and the terms of its cells, a block at a time; each block is finished
 /// unless the row only feeds the rows below.
-template <class T, int families, DampingTerm damping, class CellTerms>
+template <class T, int families, DampingTerm damping, class CellTerms, bool masked>
 void accumulateRow(const RowTask<T>& given, int row, bool finish) {
   constexpr bool kCells = !CellTerms::kEmpty;
   const RowTask<T> task = given;  // on the stack, where no store can alias it
@@ -205,6 +205,14 @@ void accumulateRow(const RowTask<T>& given, int row, bool finish) {
   const Staged<T> to = stagedOf(task, row);
   const std::ptrdiff_t s = task.stride;
   const T hasDown = T(row + 1 < task.rows), hasDown2 = T(row + 2 < task.rows);
+  // Times 1 or 0, for each of a particle's springs and its cell.
+  const auto kept = [&](int mask, std::ptrdiff_t i, const auto& exists) {
+    if constexpr (masked) {
+      return exists * load(task.there + mask * s + i);
+    } else {
+      return exists;
+    }
+  };
   Vec<T> rightBefore{}, right2Before{};  // what the vector before does to its right neighbours, one and two places on
   for (std::ptrdiff_t begin = 0; begin < task.width; begin += kBlock) {
     const std::ptrdiff_t end = begin + kBlock < task.width ? begin + kBlock : task.width;
@@ -212,20 +220,20 @@ void accumulateRow(const RowTask<T>& given, int row, bool finish) {
       const std::ptrdiff_t a = row * s + i;
       // First, where the fewest registers are in use.
       [[maybe_unused]] Vec<T> corner{};
-      if constexpr (kCells) corner = cellForce<CellTerms>(task, hasDown * load(task.hasRight + i), a);
+      if constexpr (kCells) corner = cellForce<CellTerms>(task, kept(6, i, hasDown * load(task.hasRight + i)), a);
       Vec<T> across{}, down{}, downRight{}, downLeft{}, across2{}, down2{};
       if constexpr ((families & kStructural) != 0) {
-        across = springForce<damping>(task, structural, load(task.hasRight + i), a, a + 1);
-        down = springForce<damping>(task, structural, hasDown, a, a + s);
+        across = springForce<damping>(task, structural, kept(0, i, load(task.hasRight + i)), a, a + 1);
+        down = springForce<damping>(task, structural, kept(1, i, hasDown), a, a + s);
       }
       if constexpr ((families & kShear) != 0) {
         const Lanes<T> exists = hasDown * load(task.hasRight + i);
-        downRight = springForce<damping>(task, shear, exists, a, a + s + 1);
-        downLeft = springForce<damping>(task, shear, exists, a + 1, a + s);
+        downRight = springForce<damping>(task, shear, kept(2, i, exists), a, a + s + 1);
+        downLeft = springForce<damping>(task, shear, kept(3, i, exists), a + 1, a + s);
       }
       if constexpr ((families & kBend) != 0) {
-        across2 = springForce<damping>(task, bend, load(task.hasRight2 + i), a, a + 2);
-        down2 = springForce<damping>(task, bend, hasDown2, a, a + 2 * s);
+        across2 = springForce<damping>(task, bend, kept(4, i, load(task.hasRight2 + i)), a, a + 2);
+        down2 = springForce<damping>(task, bend, kept(5, i, hasDown2), a, a + 2 * s);
       }
       Vec<T> f = (((((across - load(to.taken, s, i)) + down) + downRight) + across2) + down2);
       Vec<T> onRight = downLeft - across;

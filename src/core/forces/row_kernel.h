@@ -43,6 +43,10 @@ using FinishForces = void (*)(const RowTask<T>& task, int row, std::ptrdiff_t be
 template <class T>
 using AddToBlock = void (*)(const RowTask<T>& task, int row, std::ptrdiff_t begin, std::ptrdiff_t end);
 
+/// What masked loops multiply by 1 or 0: each of a particle's springs, in the order of the bits of Missing, and its
+/// cell.
+constexpr int kMasks = 7;
+
 /// A constant force on one particle.
 template <class T>
 struct PushedParticle {
@@ -64,6 +68,7 @@ struct RowTask : AllTerms::Numbers<T> {
   const T* hasRight2 = nullptr;      ///< per column: 1 where column + 2 exists, else 0
   const T* isFree = nullptr;         ///< per particle: 0 where pinned or padding, else 1
   const T* isUnpinned = nullptr;     ///< the same, and 0 also for pins that move, which isFree may let feel forces
+  const T* there = nullptr;          ///< masked loops: of the row, kMasks runs of `stride` numbers, 0 for what is gone
   const T* blockVelocity = nullptr;  ///< the one that terms of blocks see; null: the other one
 
   T* force = nullptr;    ///< Store: where to
@@ -74,6 +79,7 @@ struct RowTask : AllTerms::Numbers<T> {
 
   T* scratch = nullptr;                   ///< rowScratchSize numbers, all 0 before the first row
   AccumulateRow<T> accumulate = nullptr;  ///< the loops that this scene and update need
+  AccumulateRow<T> masked = nullptr;      ///< the same where something of the row is gone
   AddToBlock<T> addToBlock = nullptr;     ///< null: there are no terms of blocks
   FinishForces<T> finish = nullptr;
   const PushedParticle<T>*firstPush = nullptr, *endPush = nullptr;  ///< of the row: those that FinishForces adds
@@ -92,6 +98,7 @@ struct EnergyRow : AllTerms::Numbers<double> {
   const T* position = nullptr;
   const T* velocity = nullptr;
   const T* isUnpinned = nullptr;  ///< per particle: 0 where pinned or padding, else 1
+  const T* there = nullptr;       ///< of the row, as RowTask has it; null: nothing is gone
   bool axial = false;
 };
 
@@ -101,6 +108,7 @@ consteval unsigned subsetsOf(TermPlace place) { return 1U << AllTerms::count(pla
 template <class T>
 struct RowKernels {
   AccumulateRow<T> accumulate[subsetsOf(TermPlace::Cells)][8][3];  ///< by cell terms, families and damping term
+  AccumulateRow<T> masked[subsetsOf(TermPlace::Cells)][8][3];      ///< the same for rows of which something is gone
   AddToBlock<T> addToBlock[subsetsOf(TermPlace::Blocks)];          ///< by terms of blocks; null where there are none
   FinishForces<T> finish[3][subsetsOf(TermPlace::Particles)][2];   ///< by update, terms, and whether pushes act
   StoredEnergy (*energy)(const EnergyRow<T>&);                     ///< kinetic: of particles of 1 kg

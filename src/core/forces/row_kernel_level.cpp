@@ -21,9 +21,15 @@ constexpr void fillAccumulate(RowKernels<T>& kernels) {
   using Terms = typename ChosenTerms<TermPlace::Cells, cellTerms, AllTerms>::Type;
   AccumulateRow<T>(&byDamping)[3] = kernels.accumulate[cellTerms][families];
   constexpr int kFamilies = familiesOfLoop(families, cellTerms);
-  byDamping[int(DampingTerm::None)] = accumulateRow<T, kFamilies, DampingTerm::None, Terms>;
-  byDamping[int(DampingTerm::Relative)] = accumulateRow<T, kFamilies, DampingTerm::Relative, Terms>;
-  byDamping[int(DampingTerm::Axial)] = accumulateRow<T, kFamilies, DampingTerm::Axial, Terms>;
+  byDamping[int(DampingTerm::None)] = accumulateRow<T, kFamilies, DampingTerm::None, Terms, false>;
+  byDamping[int(DampingTerm::Relative)] = accumulateRow<T, kFamilies, DampingTerm::Relative, Terms, false>;
+  byDamping[int(DampingTerm::Axial)] = accumulateRow<T, kFamilies, DampingTerm::Axial, Terms, false>;
+  // Rows of which something is gone are few: they all take the loops of the full model.
+  AccumulateRow<T>(&masked)[3] = kernels.masked[cellTerms][families];
+  constexpr int kAll = families == 0 ? 0 : kStructural | kShear | kBend;
+  masked[int(DampingTerm::None)] = accumulateRow<T, kAll, DampingTerm::None, Terms, true>;
+  masked[int(DampingTerm::Relative)] = accumulateRow<T, kAll, DampingTerm::Relative, Terms, true>;
+  masked[int(DampingTerm::Axial)] = accumulateRow<T, kAll, DampingTerm::Axial, Terms, true>;
 }
 template <class T, unsigned... cellTerms>
 constexpr void fillAllAccumulate(RowKernels<T>& kernels, std::integer_sequence<unsigned, cellTerms...> /*subsets*/) {

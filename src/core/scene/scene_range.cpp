@@ -77,6 +77,11 @@ void refuseExtremes(const Scene& scene) {
     check.number("move.at", move.at);
     check.number("move.for", move.duration);
   }
+  for (const auto& [line, at] : scene.cuts) {
+    check.vector("cut.from", {line.fromColumn, line.fromRow, 0});
+    check.vector("cut.to", {line.toColumn, line.toRow, 0});
+    check.number("cut.at", at);
+  }
   for (const Push& push : scene.pushes) {
     check.vector("push.force", push.force);
     check.number("push.at", push.at);

@@ -188,6 +188,18 @@ Move readMove(SceneTable table, const Sheet& sheet, const std::vector<Body>& bod
   return move;
 }
 
+Cut readCut(SceneTable table) {
+  Cut cut;
+  table.gridPoint("from", cut.line.fromColumn, cut.line.fromRow);
+  table.gridPoint("to", cut.line.toColumn, cut.line.toRow);
+  table.number("at", cut.at, Allowed::NotNegative);
+  table.finish({"from", "to", "at"});
+  if (cut.line.fromColumn == cut.line.toColumn && cut.line.fromRow == cut.line.toRow) {
+    table.refuse("to", "the same place as from", "another place");
+  }
+  return cut;
+}
+
 Push readPush(SceneTable table, const Sheet& sheet) {
   Push push;
   table.particle("particle", sheet, push.particle);
@@ -230,7 +242,7 @@ void readRoot(SceneTable root, Scene& scene, std::span<const std::string_view> m
   std::vector<std::pair<std::string_view, std::optional<SceneTable>>> ofTerms;
   for (const std::string_view name : tablesOfTerms()) ofTerms.emplace_back(name, root.table(name));
   const auto winds = root.tables("wind"), displacements = root.tables("displace"), pushes = root.tables("push");
-  const auto moves = root.tables("move"), bodies = root.tables("body");
+  const auto moves = root.tables("move"), bodies = root.tables("body"), cuts = root.tables("cut");
   const auto run = root.table("run");
   root.finish({"title", "sheet", "run"});
 
@@ -244,6 +256,7 @@ void readRoot(SceneTable root, Scene& scene, std::span<const std::string_view> m
   for (const SceneTable& table : displacements) scene.displacements.push_back(readDisplacement(table, sheet));
   for (const SceneTable& table : pushes) scene.pushes.push_back(readPush(table, sheet));
   for (const SceneTable& table : moves) scene.moves.push_back(readMove(table, sheet, scene.bodies));
+  for (const SceneTable& table : cuts) scene.cuts.push_back(readCut(table));
   for (const SceneTable& table : winds) scene.winds.push_back(readWind(table));
   if (!winds.empty() && !root.has("air")) root.refuse("wind", "[[wind]] without [air]", "both, or neither");
   readRun(*run, scene, methods);

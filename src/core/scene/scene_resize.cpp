@@ -44,6 +44,13 @@ Scene withSheet(Scene scene, int columns, int rows) {
   for (Push& push : scene.pushes) rescale(push.particle);
   for (Move& move : scene.moves) std::ranges::for_each(move.what, rescale);
 
+  // Cuts lie between particles: they are not rounded.
+  const double across = scene.columns > 1 ? double(columns - 1) / (scene.columns - 1) : 1;
+  const double down = scene.rows > 1 ? double(rows - 1) / (scene.rows - 1) : 1;
+  for (auto& [line, at] : scene.cuts) {
+    line = {across * line.fromColumn, down * line.fromRow, across * line.toColumn, down * line.toRow};
+  }
+
   const double oldCount = double(scene.columns) * scene.rows, newCount = double(columns) * rows;
   scene.spacing *= double(oldLongest - 1) / (newLongest - 1);
   scene.particleMass *= oldCount / newCount;

@@ -112,6 +112,16 @@ void SceneTable::vector(std::string_view key, Vec3& out) {
   out = {*x, *y, *z};
 }
 
+void SceneTable::gridPoint(std::string_view key, double& column, double& row) {
+  const toml::node* value = ask(key, "two finite numbers [column, row]");
+  if (value == nullptr) return;
+  const toml::array* array = value->as_array();
+  if (array == nullptr || array->size() != 2) refuseValue(*value);
+  const auto first = finiteNumber((*array)[0]), second = finiteNumber((*array)[1]);
+  if (!first || !second) refuseValue(*value);
+  column = *first, row = *second;
+}
+
 std::optional<std::size_t> SceneTable::oneOf(std::string_view key, std::span<const std::string_view> names) {
   const toml::node* value = ask(key, quoted(names));
   if (value == nullptr) return std::nullopt;

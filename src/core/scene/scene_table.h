@@ -28,6 +28,8 @@ class SceneTable {
   void integer(std::string_view key, int& out, int lowest, int highest);
   void number(std::string_view key, double& out, Allowed allowed);
   void vector(std::string_view key, Vec3& out);
+  /// A place on the grid, [column, row], as real numbers.
+  void gridPoint(std::string_view key, double& column, double& row);
   /// The index of one of `names`.
   std::optional<std::size_t> oneOf(std::string_view key, std::span<const std::string_view> names);
   /// As oneOf, for an enumeration that counts up from 0 in the order of `names`.

@@ -208,6 +208,12 @@ void writeEvents(Writer& out, const Scene& scene) {
     out.line("at", numberText(move.at), "s");
     out.line("for", numberText(move.duration), "s");
   }
+  for (const auto& [line, at] : scene.cuts) {
+    out.table("[[cut]]");
+    out.line("from", fmt::format("[{}, {}]", numberText(line.fromColumn), numberText(line.fromRow)), "column, row");
+    out.line("to", fmt::format("[{}, {}]", numberText(line.toColumn), numberText(line.toRow)), "column, row");
+    out.line("at", numberText(at), "s");
+  }
   for (const Push& push : scene.pushes) {
     out.table("[[push]]");
     out.line("particle", placeText(push.particle));

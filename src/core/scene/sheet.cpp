@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/scene/springs_of_particle.h"
 #include "util/suggestion.h"
 
 namespace tyg {
@@ -79,6 +80,18 @@ std::array<GridStep, 2> gridSteps(Family family) {
   return {{{2, 0}, {0, 2}}};
 }
 
+/// The spring of a family from particle (column, row) by this step; the second diagonal belongs to the cell's first
+/// particle.
+bool isMissing(const Sheet& sheet, int column, int row, const GridStep& step, Family family) {
+  if (sheet.missing.none()) return false;
+  for (const SpringOfParticle& spring : kSpringsOfParticle) {
+    if (spring.family != family || spring.toRow != step.rows) continue;
+    if (spring.toColumn - spring.fromColumn != step.columns) continue;
+    return sheet.missing.has(indexOf(sheet, column - spring.fromColumn, row), spring.bit);
+  }
+  return false;
+}
+
 }  // namespace
 
 double Sheet::size() const {
@@ -133,7 +146,8 @@ std::vector<SpringEnds> springsOf(const Sheet& sheet, Family family) {
       for (const GridStep& step : gridSteps(family)) {
         const int otherColumn = column + step.columns, otherRow = row + step.rows;
         const bool inside = otherColumn >= 0 && otherColumn < sheet.columns && otherRow < sheet.rows;
-        if (inside) springs.push_back({indexOf(sheet, column, row), indexOf(sheet, otherColumn, otherRow)});
+        if (!inside || isMissing(sheet, column, row, step, family)) continue;
+        springs.push_back({indexOf(sheet, column, row), indexOf(sheet, otherColumn, otherRow)});
       }
     }
   }
@@ -141,6 +155,7 @@ std::vector<SpringEnds> springsOf(const Sheet& sheet, Family family) {
 }
 
 long long springCount(const Sheet& sheet, Family family) {
+  if (!sheet.missing.none()) return static_cast<long long>(springsOf(sheet, family).size());
   long long count = 0;
   for (const GridStep& step : gridSteps(family)) {
     count += static_cast<long long>(std::max(0, sheet.columns - std::abs(step.columns))) *

@@ -38,6 +38,11 @@ class BackendOf final : public Backend {
   }
 
   void useMethod(const Method& method) override { integrator_ = method.make<T>(scene_, sheet_); }
+  void useSheet(const Method& method) override {
+    forces_.useSheet(sheet_);
+    useMethod(method);
+    spectrum_.reset();
+  }
   void useLiveParameters() override {
     integrator_->useParameters(scene_, sheet_);  // first: it may refuse
     forces_.useParameters(scene_);

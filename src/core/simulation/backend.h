@@ -21,6 +21,8 @@ class Backend {
 
   virtual ~Backend() = default;
   virtual void useMethod(const Method& method) = 0;
+  /// The sheet has other pins now, or more of it is gone. Moving pins and pushes are to be given anew.
+  virtual void useSheet(const Method& method) = 0;
   /// The scene has other live parameters now. Changes nothing where the method refuses them by throwing InputError.
   virtual void useLiveParameters() = 0;
   // Times are those of the state, s, where nothing else is said.

@@ -38,7 +38,7 @@ Ledger EnergyWatch::ledger(const EnergySample& sample) {
   for (std::size_t k = 0; k < kSupplies.size(); ++k) {
     if (named_.supplies[k] || sample.passed.supplied[k] != 0) ledger.work.add(kSupplies[k], sample.passed.supplied[k]);
   }
-  if (named_.pins) ledger.work.add("pins", sample.passed.pins);
+  if (named_.pins || sample.passed.pins != 0) ledger.work.add("pins", sample.passed.pins);
   if (followsLedger_ && ledger.scale > 0) ledger.drift = (sum(sample) - startSum_) / ledger.scale;
   return ledger;
 }

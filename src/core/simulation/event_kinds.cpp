@@ -43,16 +43,46 @@ void visitColumns(WorldEvent& change, EventColumns& columns) {
   columns.number("value_z", change.value.z, allowed);
 }
 
+void visitColumns(PinEvent& pin, EventColumns& columns) {
+  columns.particle("particle", pin.particle);
+  columns.flag("pinned", pin.pinned);
+}
+
+void visitColumns(GrabEvent& grab, EventColumns& columns) {
+  columns.particle("particle", grab.particle);
+  columns.number("vx_m_s", grab.velocity.x, Allowed::Any);
+  columns.number("vy_m_s", grab.velocity.y, Allowed::Any);
+  columns.number("vz_m_s", grab.velocity.z, Allowed::Any);
+}
+
+void visitColumns(ReleaseEvent& release, EventColumns& columns) { columns.particle("particle", release.particle); }
+
+void visitColumns(CutEvent& cut, EventColumns& columns) {
+  columns.number("from_column", cut.line.fromColumn, Allowed::Any);
+  columns.number("from_row", cut.line.fromRow, Allowed::Any);
+  columns.number("to_column", cut.line.toColumn, Allowed::Any);
+  columns.number("to_row", cut.line.toRow, Allowed::Any);
+}
+
+void visitColumns(MendEvent& mend, EventColumns& columns) { columns.count("cuts", mend.cuts); }
+
 template <class E>
 constexpr EventKind kind(std::string_view name, std::string_view note = "") {
   return {name, note, [] { return EventAction(E{}); },
           [](EventAction& action, EventColumns& columns) { visitColumns(std::get<E>(action), columns); }};
 }
 
-constexpr std::array kKinds{kind<PushEvent>("push"), kind<MethodEvent>("method"), kind<StepEvent>("step"),
+constexpr std::array kKinds{kind<PushEvent>("push"),
+                            kind<MethodEvent>("method"),
+                            kind<StepEvent>("step"),
                             kind<WorldEvent>("world",
                                              "a parameter that is a single number has value alone; the unit is that of "
-                                             "the parameter")};
+                                             "the parameter"),
+                            kind<PinEvent>("pin"),
+                            kind<GrabEvent>("grab"),
+                            kind<ReleaseEvent>("release"),
+                            kind<CutEvent>("cut"),
+                            kind<MendEvent>("mend")};
 static_assert(kKinds.size() == std::variant_size_v<EventAction>);
 
 class Names final : public EventColumns {
@@ -60,6 +90,7 @@ class Names final : public EventColumns {
   explicit Names(std::string_view kind) : text(fmt::format("tick,{}", kind)) {}
   void particle(std::string_view name, int& /*index*/) override { add(name); }
   void count(std::string_view name, int& /*number*/) override { add(name); }
+  void flag(std::string_view name, bool& /*value*/) override { add(name); }
   void number(std::string_view name, double& /*number*/, Allowed /*allowed*/) override { add(name); }
   void word(std::string_view name, std::string& /*word*/, std::span<const std::string_view> /*allowed*/) override {
     add(name);
@@ -74,6 +105,7 @@ class Values final : public EventColumns {
  public:
   void particle(std::string_view /*name*/, int& index) override { add(index); }
   void count(std::string_view /*name*/, int& number) override { add(number); }
+  void flag(std::string_view /*name*/, bool& value) override { add(int(value)); }
   void number(std::string_view /*name*/, double& number, Allowed /*allowed*/) override { add(number); }
   void word(std::string_view /*name*/, std::string& word, std::span<const std::string_view> /*allowed*/) override {
     add(word);
@@ -96,6 +128,7 @@ class ParticleCheck final : public EventColumns {
     throw InputError(fmt::format("replay: found a {} on particle {}, allowed: 0 to {}", kind_, index, particles_ - 1));
   }
   void count(std::string_view /*name*/, int& /*number*/) override {}
+  void flag(std::string_view /*name*/, bool& /*value*/) override {}
   void number(std::string_view /*name*/, double& /*number*/, Allowed /*allowed*/) override {}
   void word(std::string_view /*name*/, std::string& /*word*/, std::span<const std::string_view> /*allowed*/) override {}
 

@@ -20,6 +20,8 @@ class EventColumns {
   virtual void particle(std::string_view name, int& index) = 0;
   /// A whole number from 1.
   virtual void count(std::string_view name, int& number) = 0;
+  /// 1 or 0.
+  virtual void flag(std::string_view name, bool& value) = 0;
   virtual void number(std::string_view name, double& number, Allowed allowed) = 0;
   /// A word that is not empty and, where `allowed` names some, one of these.
   virtual void word(std::string_view name, std::string& word, std::span<const std::string_view> allowed) = 0;

@@ -29,6 +29,7 @@ class ColumnReader final : public EventColumns {
   void count(std::string_view name, int& number) override {
     number = lines_.whole(name, take(), 1, std::numeric_limits<int>::max());
   }
+  void flag(std::string_view name, bool& value) override { value = lines_.whole(name, take(), 0, 1) == 1; }
   void number(std::string_view name, double& number, Allowed allowed) override {
     number = lines_.number(name, take(), allowed);
   }
@@ -171,7 +172,9 @@ std::string formatEventLog(const EventLog& log) {
     const std::string_view line = LogLines::cut(rest, '\n');
     text.append(kSceneMark).append(line.empty() ? "" : " ").append(line).append("\n");
   }
-  for (const EventKind& kind : eventKinds()) {
+  for (std::size_t k = 0; k < eventKinds().size(); ++k) {
+    const EventKind& kind = eventKinds()[k];
+    if (std::ranges::none_of(log.events, [k](const Event& event) { return event.action.index() == k; })) continue;
     text += fmt::format("# {}: {}\n", kind.name, columnNames(kind.make()));
     if (!kind.note.empty()) text += fmt::format("# {}: {}\n", kind.name, kind.note);
   }

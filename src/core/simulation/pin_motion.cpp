@@ -43,20 +43,49 @@ PinMotion::PinMotion(const Scene& scene, const Sheet& sheet) {
     pins_.push_back({.particle = particle, .velocity = {}, .since = 0, .from = {}});
 }
 
-bool PinMotion::switchAt(const Scene& scene, const Sheet& sheet, const Instant& now, Backend& backend) {
+void PinMotion::hold(int particle, const Vec3& velocity) {
+  auto pin = std::ranges::lower_bound(pins_, particle, {}, &Pin::particle);
+  if (pin == pins_.end() || pin->particle != particle) {
+    pin = pins_.insert(pin, {.particle = particle, .velocity = {}, .since = 0, .from = {}});
+    pin->isNew = true;
+  }
+  pin->byHand = velocity;
+}
+
+void PinMotion::release(int particle) {
+  const auto pin = std::ranges::lower_bound(pins_, particle, {}, &Pin::particle);
+  if (pin != pins_.end() && pin->particle == particle) pin->byHand.reset();
+}
+
+void PinMotion::stop(int particle, const Sheet& sheet, Backend& backend) {
+  work_ -= sheet.particleMass / 2 * squared(backend.velocity(particle));
+  backend.placePin(particle, backend.position(particle), {});
+}
+
+/// The velocity of each of the pins from now on.
+std::vector<Vec3> PinMotion::wantedAt(const Scene& scene, const Sheet& sheet, const Instant& now) const {
   std::vector<Vec3> wanted(pins_.size());
   for (const Move& move : scene.moves) {
     if (!now.isWithin(move.at, move.duration)) continue;
     for (const int particle : particlesOf(move, sheet)) {
       const auto pin = std::ranges::lower_bound(pins_, particle, {}, &Pin::particle);
+      if (pin == pins_.end() || pin->particle != particle) continue;  // freed by hand
       Vec3& velocity = wanted[std::size_t(pin - pins_.begin())];
       velocity = {velocity.x + move.velocity.x, velocity.y + move.velocity.y, velocity.z + move.velocity.z};
     }
   }
+  for (std::size_t k = 0; k < pins_.size(); ++k) wanted[k] = pins_[k].byHand.value_or(wanted[k]);
+  return wanted;
+}
+
+bool PinMotion::switchAt(const Scene& scene, const Sheet& sheet, const Instant& now, Backend& backend) {
+  // What was freed moves as it likes.
+  std::erase_if(pins_, [&](const Pin& pin) { return !std::ranges::binary_search(sheet.pins, pin.particle); });
+  const std::vector<Vec3> wanted = wantedAt(scene, sheet, now);
   bool changed = false;
   for (std::size_t k = 0; k < pins_.size(); ++k) {
     Pin& pin = pins_[k];
-    if (pin.velocity == wanted[k]) continue;
+    if (pin.velocity == wanted[k] && !pin.isNew) continue;
     changed = true;
     if (pin.velocity == Vec3{}) {
       pin.from = backend.position(pin.particle);
@@ -68,6 +97,7 @@ bool PinMotion::switchAt(const Scene& scene, const Sheet& sheet, const Instant& 
     work_ += sheet.particleMass / 2 * (squared(wanted[k]) - squared(backend.velocity(pin.particle)));
     pin.velocity = wanted[k];
     pin.since = now.time;
+    pin.isNew = false;
     backend.placePin(pin.particle, pin.from, pin.velocity);
   }
   return changed;

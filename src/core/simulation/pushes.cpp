@@ -51,6 +51,17 @@ void Pushes::add(const Sheet& sheet, int particle, const Vec3& force, std::int64
   push.first = firstTick, push.end = endTick;
 }
 
+void Pushes::useSheet(const Sheet& sheet, const Backend& backend) {
+  const auto look = [&](Push& push) {
+    const bool isIgnored = isPinned(sheet, push.particle);
+    if (isIgnored == push.isIgnored) return;
+    if (push.acting) turn(push, backend), push.acting = true;
+    push.isIgnored = isIgnored;
+  };
+  std::ranges::for_each(ofScene_, look);
+  std::ranges::for_each(byHand_, look);
+}
+
 void Pushes::turn(Push& push, const Backend& backend) {
   const Vec3 here = backend.position(push.particle);
   if (push.acting) finishedWork_ += push.workUpTo(here);

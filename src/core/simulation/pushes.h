@@ -18,6 +18,9 @@ class Pushes {
   /// Adds a push by hand, which acts for the whole ticks [firstTick, endTick).
   void add(const Sheet& sheet, int particle, const Vec3& force, std::int64_t firstTick, std::int64_t endTick);
 
+  /// The sheet has other pins now: those that act on them do no work from now on, or do it again.
+  void useSheet(const Sheet& sheet, const Backend& backend);
+
   /// Begins and ends the pushes whose time has come. Returns whether there were any: the force then has to be applied
   /// anew.
   bool switchAt(const Instant& now, const Backend& backend);

@@ -9,6 +9,7 @@
 #include "core/simulation/pin_motion.h"
 #include "core/simulation/pushes.h"
 #include "core/simulation/replay.h"
+#include "core/simulation/sheet_changes.h"
 #include "core/simulation/supply.h"
 #include "core/simulation/tick_clock.h"
 #include "tyg/method.h"
@@ -22,6 +23,7 @@ struct Run {
         clock(scene.dt),
         pushes(scene, sheet),
         pins(scene, sheet),
+        changes(scene, sheet),
         energies(scene, sheet, start, followsLedger),
         log(beginLog(scene, startMethod.name)) {}
 
@@ -31,6 +33,8 @@ struct Run {
   double largestStep = 0;  // s
   Pushes pushes;
   PinMotion pins;
+  SheetChanges changes;
+  double cutAway = 0;  // J, that springs held when they were cut
   Supply supply;
   EnergyWatch energies;
   EventLog log;

@@ -55,6 +55,10 @@ void Simulation::Impl::goBackTo(const Checkpoint& checkpoint) {
     backend->useLiveParameters();
   }
   run = checkpoint.run;
+  if (run.changes.sheet() != sheet) {
+    sheet = run.changes.sheet();
+    backend->useSheet(*run.method);
+  }
   backend->restore(*checkpoint.moved);
   applyPushes();
   applyTimetable();
@@ -66,6 +70,7 @@ EnergySample Simulation::Impl::sample(const Power& power) const {
                       run.clock.time()};
   sample.passed.supplied = run.supply.upTo(power, run.clock.time(), sample.passed);
   sample.passed.pins += run.pins.work();
+  sample.passed.lost += run.cutAway;
   return sample;
 }
 
@@ -108,6 +113,11 @@ void Simulation::useStep(double dt) { impl_->apply(StepEvent{dt}, {}); }
 void Simulation::useLiveParameters(const Scene& scene) {
   for (const WorldEvent& change : changesBetween(impl_->scene, scene)) impl_->apply(change, {});
 }
+void Simulation::pin(int particle, bool pinned) { impl_->apply(PinEvent{particle, pinned}, {}); }
+void Simulation::grab(int particle, const Vec3& velocity) { impl_->apply(GrabEvent{particle, velocity}, {}); }
+void Simulation::release(int particle) { impl_->apply(ReleaseEvent{particle}, {}); }
+void Simulation::cut(const CutLine& line) { impl_->apply(CutEvent{line}, {}); }
+void Simulation::mend(int cuts) { impl_->apply(MendEvent{cuts}, {}); }
 void Simulation::apply(const Event& event, std::span<const Method> methods) { impl_->apply(event.action, methods); }
 void Simulation::replay(const EventLog& log, std::span<const Method> methods) {
   refuseUnfitLog(log, impl_->run.log);

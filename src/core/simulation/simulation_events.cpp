@@ -1,6 +1,7 @@
 // What each kind of event does to a simulation, between two of its ticks.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/forces/parameter.h"
@@ -21,9 +22,9 @@ void Simulation::Impl::applyDueEvents() {
 }
 
 void Simulation::Impl::perform(const PushEvent& push, std::span<const Method> /*methods*/) {
-  if (push.particle < 0 || push.particle >= sheet.count() || push.ticks < 1) {
-    throw InputError(fmt::format("push: found particle {} for {} ticks, allowed: particle 0 to {}, at least one tick",
-                                 push.particle, push.ticks, sheet.count() - 1));
+  refuseOutside("push", push.particle);
+  if (push.ticks < 1) {
+    throw InputError(fmt::format("push: found {} ticks, allowed: at least one tick", push.ticks));
   }
   run.pushes.add(sheet, push.particle, push.force, run.clock.ticks(), run.clock.ticks() + push.ticks);
 }
@@ -70,9 +71,83 @@ void Simulation::Impl::perform(const WorldEvent& change, std::span<const Method>
   run.energies.check(sample());
 }
 
+void Simulation::Impl::refuseOutside(std::string_view event, int particle) const {
+  if (particle >= 0 && particle < sheet.count()) return;
+  throw InputError(fmt::format("{}: found particle {}, allowed: particle 0 to {}", event, particle, sheet.count() - 1));
+}
+
+/// A particle that is pinned stops at once: what it had of kinetic energy is taken by the pin.
+void Simulation::Impl::perform(const PinEvent& change, std::span<const Method> /*methods*/) {
+  refuseOutside("pin", change.particle);
+  const bool wasPinned = std::ranges::binary_search(sheet.pins, change.particle);
+  run.changes.pin(change.particle, change.pinned);
+  useSheet();
+  if (change.pinned && !wasPinned) run.pins.stop(change.particle, sheet, *backend);
+  movePins();
+}
+
+void Simulation::Impl::perform(const GrabEvent& grab, std::span<const Method> /*methods*/) {
+  refuseOutside("grab", grab.particle);
+  const Vec3& v = grab.velocity;
+  if (!std::isfinite(v.x + v.y + v.z)) throw InputError("grab: found a velocity that is not finite, allowed: finite");
+  if (run.changes.hold(grab.particle)) useSheet();
+  run.pins.hold(grab.particle, v);
+  movePins();
+}
+
+void Simulation::Impl::perform(const ReleaseEvent& release, std::span<const Method> /*methods*/) {
+  refuseOutside("release", release.particle);
+  run.pins.release(release.particle);
+  if (run.changes.release(release.particle)) useSheet();
+  movePins();
+}
+
+void Simulation::Impl::perform(const CutEvent& cut, std::span<const Method> /*methods*/) {
+  const CutLine& line = cut.line;
+  if (line.fromColumn == line.toColumn && line.fromRow == line.toRow) {
+    throw InputError("cut: found a cut that ends where it begins, allowed: another end");
+  }
+  const double before = backend->energy(run.clock.time()).sum();
+  run.changes.cut(line);
+  useSheet();
+  run.cutAway += before - backend->energy(run.clock.time()).sum();
+}
+
+/// The springs that come back may be stretched by now: that energy is work.
+void Simulation::Impl::perform(const MendEvent& mend, std::span<const Method> /*methods*/) {
+  const double before = backend->energy(run.clock.time()).sum();
+  run.changes.mend(mend.cuts);
+  useSheet();
+  run.pushes.addWork(backend->energy(run.clock.time()).sum() - before);
+}
+
+void Simulation::Impl::cutWhatIsDue() {
+  if (scene.cuts.empty()) return;
+  const double before = backend->energy(run.clock.time()).sum();
+  run.changes.cutOfScene(scene, now());
+  if (run.changes.sheet().missing == sheet.missing) return;
+  useSheet();
+  run.cutAway += before - backend->energy(run.clock.time()).sum();
+}
+
+void Simulation::Impl::useSheet() {
+  sheet = run.changes.sheet();
+  backend->useSheet(*run.method);
+  run.pushes.useSheet(sheet, *backend);
+  applyPushes();
+  if (run.pins.any()) backend->movePins(run.pins.moving());
+}
+
+/// What moves pins, now that it is said anew.
+void Simulation::Impl::movePins() {
+  run.pins.switchAt(scene, sheet, now(), *backend);
+  applyTimetable();
+  backend->reset();
+}
+
 void Simulation::Impl::applyTimetable() {
   backend->act(actingAt(scene, now()));
-  if (!scene.moves.empty()) backend->movePins(run.pins.moving());
+  backend->movePins(run.pins.moving());
 }
 
 void Simulation::Impl::applyPushes() {

@@ -16,7 +16,7 @@ namespace tyg {
 struct Simulation::Impl {
   Scene scene;
   const Scene startScene;
-  Sheet sheet;
+  Sheet sheet;  // as it is now: SheetChanges has the same
   Settings settings;
   Workers workers;
   std::unique_ptr<Backend> backend;
@@ -57,12 +57,22 @@ struct Simulation::Impl {
   /// Lets pushes, winds and moving pins act on the backend anew.
   void applyPushes();
   void applyTimetable();
+  /// The sheet is what run.changes says; what moves and pushes it learns that.
+  void useSheet();
 
  private:
   void perform(const PushEvent& push, std::span<const Method> methods);
   void perform(const MethodEvent& change, std::span<const Method> methods);
   void perform(const StepEvent& change, std::span<const Method> methods);
   void perform(const WorldEvent& change, std::span<const Method> methods);
+  void perform(const PinEvent& change, std::span<const Method> methods);
+  void perform(const GrabEvent& grab, std::span<const Method> methods);
+  void perform(const ReleaseEvent& release, std::span<const Method> methods);
+  void perform(const CutEvent& cut, std::span<const Method> methods);
+  void perform(const MendEvent& mend, std::span<const Method> methods);
+  void refuseOutside(std::string_view event, int particle) const;
+  void movePins();
+  void cutWhatIsDue();
   void applyDueEvents();
 
   /// Whether the method chooses its own steps. With tolerance 0 an adaptive method takes those of dt, for studies.

@@ -64,6 +64,7 @@ void Simulation::Impl::switchWhatActs() {
   if (changes) applyPushes();
   if (timetable.isEdge(now())) {
     checkSupply();
+    cutWhatIsDue();
     run.pins.switchAt(scene, sheet, now(), *backend);
     applyTimetable();
     checkSupply();

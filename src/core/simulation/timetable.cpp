@@ -24,6 +24,7 @@ void addEdges(const std::vector<Timed>& all, std::vector<double>& edges) {
 Timetable::Timetable(const Scene& scene) {
   addEdges(scene.winds, edges_);
   addEdges(scene.moves, edges_);
+  for (const Cut& cut : scene.cuts) edges_.push_back(cut.at);
   std::ranges::sort(edges_);
 }
 
@@ -32,6 +33,7 @@ std::vector<double> edgesWithin(const Scene& scene) {
   addEdges(scene.pushes, edges);
   addEdges(scene.winds, edges);
   addEdges(scene.moves, edges);
+  for (const Cut& cut : scene.cuts) edges.push_back(cut.at);
   std::erase_if(edges, [&](double edge) { return !(edge > 0 && edge < scene.duration); });
   std::ranges::sort(edges);
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());

@@ -1,5 +1,5 @@
-// The times at which something of a scene begins or ends, besides pushes: winds and the motions of pins and bodies. A
-// regular type. Must not know: what happens then.
+// The times at which something of a scene begins or ends, besides pushes: winds, the motions of pins and bodies, and
+// cuts. A regular type. Must not know: what happens then.
 #pragma once
 
 #include <vector>
