@@ -96,6 +96,12 @@ struct Cut {
   bool operator==(const Cut&) const = default;
 };
 
+/// How hard the cloth is to tear; without toughness it never tears.
+struct Tear {
+  double toughness = 0;  ///< J per m of tear, >= 0
+  bool operator==(const Tear&) const = default;
+};
+
 enum class Shape { Plane, Ball, Capsule, Box };
 
 /// Something solid that the particles touch.
@@ -153,6 +159,7 @@ struct Scene {
   std::vector<Push> pushes;
   std::vector<Move> moves;
   std::vector<Cut> cuts;
+  Tear tear;
 
   double duration = 1;      ///< s, > 0
   std::string integrator;   ///< a registered method's name

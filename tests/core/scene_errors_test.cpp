@@ -119,7 +119,7 @@ TEST(SceneErrors, NameWhatWindsAndMotionsLack) {
 
 TEST(SceneErrors, NameUnknownKeysAndTables) {
   const std::string root =
-      R"("title", "shows", "sheet", "springs", "world", "air", "contact", "wind", "displace", "push", "move", "body", "cut", "run")";
+      R"("title", "shows", "sheet", "springs", "world", "air", "contact", "wind", "displace", "push", "move", "body", "cut", "tear", "run")";
   expectRefusals({
       {2, "show = 'x'", 2, "show", "an unknown key", root},
       {10, "[spring]", 10, "spring", "an unknown table", root},

@@ -134,6 +134,85 @@ TEST(CutCloth, IsMendedWithWork) {
   EXPECT_EQ(simulation.status(), Status::Ok);
 }
 
+/// A sheet of one size on a grid of n x n, held above and below, with a notch to its middle from the left. It is drawn
+/// apart slowly, while it is damped so much that it stays at rest.
+Scene notchedSheet(int n) {
+  Scene scene = emptyWorld(20, 20);
+  scene.spacing = 0.05, scene.particleMass = 0.01;
+  scene.structural = {400, 0.05}, scene.shear = {100, 0.02};
+  scene.drag = 0.05;
+  for (int column = 0; column < 20; ++column) {
+    scene.pins.push_back({"", column, 0});
+    scene.pins.push_back({"", column, 19});
+  }
+  scene.cuts = {{{-1, 9.5, 9.5, 9.5}, 0}};
+  scene.integrator = "leapfrog", scene.dt = 5e-4;
+  scene = withSheet(scene, n, n);
+  scene.pins = {{"top"}};
+  for (int column = 0; column < n; ++column) scene.pins.push_back({"", column, n - 1});
+  scene.moves = {{{{"top"}}, {0, 0.05, 0}, 0, 100}};
+  scene.tear.toughness = 2;
+  return scene;
+}
+
+/// How far the sheet has been drawn when its first spring breaks, m.
+double drawnAtFirstTear(int n) {
+  Simulation simulation(notchedSheet(n), findMethod("leapfrog"));
+  simulation.tick(1);
+  const Missing notch = simulation.sheet().missing;
+  EXPECT_FALSE(notch.none());
+  while (simulation.sheet().missing == notch && simulation.time() < 10) simulation.tick();
+  EXPECT_EQ(simulation.status(), Status::Ok);
+  return 0.05 * simulation.time();
+}
+
+TEST(TornCloth, OnAFinerGridTearsAtTheSameLoad) {
+  const double coarse = drawnAtFirstTear(20), fine = drawnAtFirstTear(40);
+  EXPECT_NEAR(fine / coarse, 1, 0.15);
+  EXPECT_LT(coarse, 0.4);
+}
+
+TEST(TornCloth, OpensFromTheNotchAndBalances) {
+  Simulation simulation(notchedSheet(20), findMethod("leapfrog"), {.ledger = true});
+  simulation.advanceTo(7);
+  EXPECT_EQ(simulation.status(), Status::Ok);
+  int torn = 0;
+  for (int column = 10; column < 20; ++column)
+    torn += int(simulation.sheet().missing.has(9 * 20 + column, Missing::Down));
+  EXPECT_EQ(torn, 10) << "straight on to the other side";
+  EXPECT_LT(std::abs(simulation.ledger().drift), 0.01);
+}
+
+TEST(TornCloth, IsTheSameByTicksAndByTimesAndFromASnapshot) {
+  Scene scene = notchedSheet(20);
+  scene.moves[0].velocity.y = 1;
+  Simulation byTicks(scene, findMethod("leapfrog")), byTimes(scene, findMethod("leapfrog"));
+  byTicks.tick(300);
+  const Snapshot saved = byTicks.save();
+  byTicks.tick(500), byTimes.advanceTo(800 * scene.dt);
+  EXPECT_FALSE(byTicks.sheet().missing == Simulation(scene, findMethod("leapfrog")).sheet().missing);
+  EXPECT_EQ(byTicks.hash(), byTimes.hash());
+  EXPECT_EQ(byTicks.sheet().missing, byTimes.sheet().missing);
+  const std::uint64_t hash = byTicks.hash();
+  byTicks.restore(saved);
+  byTicks.tick(500);
+  EXPECT_EQ(byTicks.hash(), hash);
+}
+
+TEST(TornCloth, StaysWholeBelowTheStrainOfItsToughness) {
+  for (const double factor : {0.99, 1.01}) {
+    Scene scene = emptyWorld(1, 2);
+    scene.structural = {100, 1};
+    scene.pins = {{"top-left"}, {"bottom-left"}};
+    scene.displacements = {{{"bottom-left"}, {0, -factor * 0.2, 0}}};  // sqrt(2 G / (ks s)) = 0.2
+    scene.tear.toughness = 0.2 * 0.2 * 100 / 2;
+    scene.dt = 0.01;
+    Simulation simulation(scene, findMethod("rk4"));
+    simulation.tick(2);
+    EXPECT_EQ(simulation.sheet().missing.none(), factor < 1);
+  }
+}
+
 TEST(GrabbedParticle, GoesWhereTheHandGoesInEveryMethod) {
   for (const Method& method : methods()) {
     Simulation simulation(hangingSheet(), method, {.ledger = true});

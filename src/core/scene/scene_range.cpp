@@ -77,6 +77,7 @@ void refuseExtremes(const Scene& scene) {
     check.number("move.at", move.at);
     check.number("move.for", move.duration);
   }
+  check.number("tear.toughness", scene.tear.toughness);
   for (const auto& [line, at] : scene.cuts) {
     check.vector("cut.from", {line.fromColumn, line.fromRow, 0});
     check.vector("cut.to", {line.toColumn, line.toRow, 0});

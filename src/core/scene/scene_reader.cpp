@@ -200,6 +200,14 @@ Cut readCut(SceneTable table) {
   return cut;
 }
 
+void readTear(SceneTable table, Scene& scene) {
+  table.number("toughness", scene.tear.toughness, Allowed::Positive);
+  table.finish({"toughness"});
+  if (!(scene.structural.ks > 0)) {
+    table.refuse("toughness", "a toughness without structural springs", "both: these are what tears");
+  }
+}
+
 Push readPush(SceneTable table, const Sheet& sheet) {
   Push push;
   table.particle("particle", sheet, push.particle);
@@ -243,7 +251,7 @@ void readRoot(SceneTable root, Scene& scene, std::span<const std::string_view> m
   for (const std::string_view name : tablesOfTerms()) ofTerms.emplace_back(name, root.table(name));
   const auto winds = root.tables("wind"), displacements = root.tables("displace"), pushes = root.tables("push");
   const auto moves = root.tables("move"), bodies = root.tables("body"), cuts = root.tables("cut");
-  const auto run = root.table("run");
+  const auto tear = root.table("tear"), run = root.table("run");
   root.finish({"title", "sheet", "run"});
 
   readSheet(*sheetTable, scene);
@@ -256,6 +264,7 @@ void readRoot(SceneTable root, Scene& scene, std::span<const std::string_view> m
   for (const SceneTable& table : displacements) scene.displacements.push_back(readDisplacement(table, sheet));
   for (const SceneTable& table : pushes) scene.pushes.push_back(readPush(table, sheet));
   for (const SceneTable& table : moves) scene.moves.push_back(readMove(table, sheet, scene.bodies));
+  if (tear) readTear(*tear, scene);
   for (const SceneTable& table : cuts) scene.cuts.push_back(readCut(table));
   for (const SceneTable& table : winds) scene.winds.push_back(readWind(table));
   if (!winds.empty() && !root.has("air")) root.refuse("wind", "[[wind]] without [air]", "both, or neither");

@@ -208,6 +208,10 @@ void writeEvents(Writer& out, const Scene& scene) {
     out.line("at", numberText(move.at), "s");
     out.line("for", numberText(move.duration), "s");
   }
+  if (scene.tear.toughness > 0) {
+    out.table("[tear]");
+    out.line("toughness", numberText(scene.tear.toughness), "J/m");
+  }
   for (const auto& [line, at] : scene.cuts) {
     out.table("[[cut]]");
     out.line("from", fmt::format("[{}, {}]", numberText(line.fromColumn), numberText(line.fromRow)), "column, row");

@@ -79,6 +79,29 @@ class BackendOf final : public Backend {
   [[nodiscard]] StoredEnergy startEnergy() const override {
     return forces_.energy(0, displacedStart<T>(scene_, sheet_));
   }
+  [[nodiscard]] std::vector<SpringEnds> longerThan(double length) const override {
+    std::vector<SpringEnds> longer;
+    const Layout& layout = forces_.layout();
+    const T* x = state_.position.x();
+    const auto squared = [&](std::ptrdiff_t a, std::ptrdiff_t b) {
+      T sum = 0;
+      for (std::ptrdiff_t axis = 0; axis < 3 * layout.plane; axis += layout.plane) {
+        const T d = x[axis + b] - x[axis + a];
+        sum += d * d;
+      }
+      return sum;
+    };
+    const T most = T(length * length);
+    for (int particle = 0; particle < sheet_.count(); ++particle) {
+      const std::ptrdiff_t a = layout.at(particle);
+      const auto look = [&](bool isThere, Missing::Bit bit, std::ptrdiff_t b, int other) {
+        if (isThere && squared(a, b) > most && !sheet_.missing.has(particle, bit)) longer.push_back({particle, other});
+      };
+      look((particle + 1) % sheet_.columns != 0, Missing::Right, a + 1, particle + 1);
+      look(particle + sheet_.columns < sheet_.count(), Missing::Down, a + layout.stride, particle + sheet_.columns);
+    }
+    return longer;
+  }
   [[nodiscard]] double largestSpeed() const override {
     const T *x = state_.velocity.x(), *y = state_.velocity.y(), *z = state_.velocity.z();
     T most = 0;

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "core/forces/forces.h"
 #include "tyg/method.h"
@@ -47,6 +48,8 @@ class Backend {
   [[nodiscard]] virtual StoredEnergy energy(double time) const = 0;
   /// Energies of the start shape with the parameters of now, at the time 0.
   [[nodiscard]] virtual StoredEnergy startEnergy() const = 0;
+  /// The structural springs that are there and longer than this, m, in index order: to the right before down.
+  [[nodiscard]] virtual std::vector<SpringEnds> longerThan(double length) const = 0;
   /// Of any particle, m/s.
   [[nodiscard]] virtual double largestSpeed() const = 0;
   /// See Forces::powerOf and Forces::energyOfPower.

@@ -34,7 +34,8 @@ struct Run {
   Pushes pushes;
   PinMotion pins;
   SheetChanges changes;
-  double cutAway = 0;  // J, that springs held when they were cut
+  double cutAway = 0;     // J, that springs held when they were cut
+  double ticksSince = 0;  // s: where the times begin at which cloth may tear, a tick apart
   Supply supply;
   EnergyWatch energies;
   EventLog log;

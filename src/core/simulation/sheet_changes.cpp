@@ -62,11 +62,25 @@ void SheetChanges::mend(int cuts) {
   }
 }
 
+void SheetChanges::tear(std::span<const SpringEnds> tooLong) {
+  for (const SpringEnds& ends : tooLong) {
+    const bool isAcross = ends.second == ends.first + 1;
+    if (sheet_.missing.has(ends.first, isAcross ? Missing::Right : Missing::Down)) continue;
+    const double column = ends.first % sheet_.columns, row = int(ends.first / sheet_.columns);
+    const CutLine dual = isAcross ? CutLine{column + 0.5, row - 0.5, column + 0.5, row + 0.5}
+                                  : CutLine{column - 0.5, row + 0.5, column + 0.5, row + 0.5};
+    cutForGood(dual);
+  }
+}
+
+void SheetChanges::cutForGood(const CutLine& line) {
+  sheet_.missing = sheet_.missing.withCut(sheet_.columns, sheet_.rows, line);
+  for (Missing& before : beforeCuts_) before = before.withCut(sheet_.columns, sheet_.rows, line);
+}
+
 void SheetChanges::cutOfScene(const Scene& scene, const Instant& now) {
   for (; !toCome_.empty() && scene.cuts[toCome_.back()].at <= now.time + now.sameTime; toCome_.pop_back()) {
-    const CutLine& line = scene.cuts[toCome_.back()].line;
-    sheet_.missing = sheet_.missing.withCut(sheet_.columns, sheet_.rows, line);
-    for (Missing& before : beforeCuts_) before = before.withCut(sheet_.columns, sheet_.rows, line);
+    cutForGood(scene.cuts[toCome_.back()].line);
   }
 }
 

@@ -2,6 +2,7 @@
 // type, so that a checkpoint is a copy. Must not know: methods, forces.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/simulation/instant.h"
@@ -25,12 +26,19 @@ class SheetChanges {
   /// Makes the cuts of the scene whose time has come; they were not made before.
   void cutOfScene(const Scene& scene, const Instant& now);
 
+  /// Breaks the springs that were found too long, in this order, each with what a cut along its dual edge takes: from
+  /// half a cell before to half a cell behind its middle, at a right angle to it. What one of them takes breaks no
+  /// more.
+  void tear(std::span<const SpringEnds> tooLong);
+
   /// The sheet as it is now.
   [[nodiscard]] const Sheet& sheet() const { return sheet_; }
   [[nodiscard]] bool holds(int particle) const;
 
  private:
   void gatherPins();
+  /// What a hand takes back later stays cut here.
+  void cutForGood(const CutLine& line);
 
   Sheet sheet_;
   std::vector<int> pins_, held_;     ///< ascending

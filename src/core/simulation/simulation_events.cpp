@@ -40,6 +40,7 @@ void Simulation::Impl::perform(const StepEvent& change, std::span<const Method> 
     throw InputError(fmt::format("dt: found {:g}, allowed: above 0", change.dt));
   }
   run.clock.useStep(change.dt);
+  run.ticksSince = run.clock.time();
 }
 
 /// What has no natural zero counts from the start shape, and the alarm learns anew what a large energy is: the energy
@@ -107,8 +108,14 @@ void Simulation::Impl::perform(const CutEvent& cut, std::span<const Method> /*me
   if (line.fromColumn == line.toColumn && line.fromRow == line.toRow) {
     throw InputError("cut: found a cut that ends where it begins, allowed: another end");
   }
+  lose([&] { run.changes.cut(line); });
+}
+
+template <class Change>
+void Simulation::Impl::lose(const Change& change) {
   const double before = backend->energy(run.clock.time()).sum();
-  run.changes.cut(line);
+  change();
+  if (run.changes.sheet().missing == sheet.missing) return;
   useSheet();
   run.cutAway += before - backend->energy(run.clock.time()).sum();
 }
@@ -122,12 +129,16 @@ void Simulation::Impl::perform(const MendEvent& mend, std::span<const Method> /*
 }
 
 void Simulation::Impl::cutWhatIsDue() {
-  if (scene.cuts.empty()) return;
-  const double before = backend->energy(run.clock.time()).sum();
-  run.changes.cutOfScene(scene, now());
-  if (run.changes.sheet().missing == sheet.missing) return;
-  useSheet();
-  run.cutAway += before - backend->energy(run.clock.time()).sum();
+  if (!scene.cuts.empty()) lose([&] { run.changes.cutOfScene(scene, now()); });
+}
+
+/// A toughness per length of tear, and not a largest strain, so that a finer grid of the same cloth tears alike (crack
+/// band, Bazant and Oh 1983): a spring that breaks held toughness times spacing.
+void Simulation::Impl::tearWhatIsTooLong() {
+  const double strain = std::sqrt(2 * scene.tear.toughness / (scene.structural.ks * sheet.spacing));
+  if (!std::isfinite(strain)) return;
+  const std::vector<SpringEnds> tooLong = backend->longerThan((1 + strain) * sheet.spacing);
+  if (!tooLong.empty()) lose([&] { run.changes.tear(tooLong); });
 }
 
 void Simulation::Impl::useSheet() {

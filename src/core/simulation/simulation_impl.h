@@ -73,6 +73,12 @@ struct Simulation::Impl {
   void refuseOutside(std::string_view event, int particle) const;
   void movePins();
   void cutWhatIsDue();
+  [[nodiscard]] double ticksSoFar() const;
+  [[nodiscard]] bool mayTearNow() const;
+  void tearWhatIsTooLong();
+  /// Lets the sheet lose springs, whose energy counts as dissipated.
+  template <class Change>
+  void lose(const Change& change);
   void applyDueEvents();
 
   /// Whether the method chooses its own steps. With tolerance 0 an adaptive method takes those of dt, for studies.

@@ -55,7 +55,20 @@ Instant Simulation::Impl::now() const {
 }
 
 double Simulation::Impl::nextEdge(double end) const {
-  return timetable.nextEdge(now(), run.pushes.nextEdge(now(), end));
+  const double edge = timetable.nextEdge(now(), run.pushes.nextEdge(now(), end));
+  if (!(scene.tear.toughness > 0)) return edge;
+  const double dt = run.clock.dt();
+  const double next = run.ticksSince + (std::floor(ticksSoFar() + kSameTime) + 1) * dt;
+  return next < edge - now().sameTime ? next : edge;
+}
+
+/// Ticks from where they count for tears, which need not be whole ones.
+double Simulation::Impl::ticksSoFar() const { return (run.clock.time() - run.ticksSince) / run.clock.dt(); }
+
+bool Simulation::Impl::mayTearNow() const {
+  constexpr double kSameTick = 1e-6;
+  return scene.tear.toughness > 0 && run.clock.time() > 0 &&
+         std::abs(ticksSoFar() - std::round(ticksSoFar())) < kSameTick;
 }
 
 /// What begins or ends now does so.
@@ -70,6 +83,7 @@ void Simulation::Impl::switchWhatActs() {
     checkSupply();
     changes = true;
   }
+  if (mayTearNow()) tearWhatIsTooLong();
   if (changes) backend->reset();
 }
 
@@ -162,7 +176,7 @@ void Simulation::Impl::runTick() {
 
 /// How many of the next ticks, up to `most`, are one step each with nothing beginning or ending after the first.
 std::int64_t Simulation::Impl::plainTicks(std::int64_t most) const {
-  if (stepsFreely()) return 0;
+  if (stepsFreely() || scene.tear.toughness > 0) return 0;
   most = run.replay.ticksToNext(run.clock.ticks(), std::min(most, stepsToQuestion()));
   most = run.pushes.ticksToEdge(run.clock.ticks(), most);
   // Half a tick away from the edge of a scene's push there is no doubt about the tick that it lies in.
