@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "core/forces/term.h"
 #include "core/scene/bodies.h"
 #include "core/scene/scene_range.h"
@@ -44,7 +46,7 @@ Simulation::Impl::Impl(Scene wanted, const Method& method, const Settings& asked
   applyPushes();
   applyTimetable();
   run.supply.follow(settings.ledger, powerToSupply(), 0, backend->energyOfPower());
-  run.energies.check(sample());
+  checkEnergies();
 }
 
 Simulation::Impl::Checkpoint Simulation::Impl::checkpoint() const { return {run, liveValues(scene), backend->save()}; }
@@ -67,6 +69,11 @@ EnergySample Simulation::Impl::sample(const Power& power) const {
   sample.passed.supplied = run.supply.upTo(power, run.clock.time(), sample.passed);
   sample.passed.pins += run.pins.work();
   return sample;
+}
+
+void Simulation::Impl::checkEnergies() {
+  run.largestSpeed = std::max(run.largestSpeed, approach());
+  run.energies.check(sample());
 }
 
 Power Simulation::Impl::powerToSupply() const {
@@ -120,6 +127,7 @@ double Simulation::time() const { return impl_->run.clock.time(); }
 std::int64_t Simulation::ticks() const { return impl_->run.clock.ticks(); }
 double Simulation::dt() const { return impl_->run.clock.dt(); }
 double Simulation::largestStep() const { return impl_->run.largestStep; }
+double Simulation::largestSpeed() const { return impl_->run.largestSpeed; }
 std::int64_t Simulation::steps() const { return impl_->run.steps; }
 std::int64_t Simulation::forceEvaluations() const { return impl_->backend->evaluations(); }
 int Simulation::threads() const { return impl_->workers.threads(); }
@@ -135,7 +143,7 @@ std::uint64_t Simulation::hash() const { return impl_->backend->hash(); }
 Ledger Simulation::ledger() { return impl_->run.energies.ledger(impl_->sample()); }
 double Simulation::liveStableStep() { return impl_->backend->liveStableStep(method(), time()); }
 Status Simulation::check() {
-  impl_->run.energies.check(impl_->sample());
+  impl_->checkEnergies();
   return status();
 }
 Status Simulation::status() const { return impl_->run.energies.status(); }

@@ -44,6 +44,10 @@ struct Simulation::Impl {
   [[nodiscard]] Instant now() const;
   /// W, where terms of the scene can bring energy; else 0.
   [[nodiscard]] Power powerToSupply() const;
+  /// m/s, of the fastest particle and the fastest body together; 0 where nothing is touched.
+  [[nodiscard]] double approach() const;
+  /// An energy check at any time.
+  void checkEnergies();
   /// To be called on both sides of a jump of that power.
   void checkSupply() { run.supply.check(powerToSupply(), run.clock.time(), backend->energyOfPower()); }
 
