@@ -69,12 +69,19 @@ Status statusOf(Scene scene, const Method& method, double step, double seconds) 
   return simulation.status();
 }
 
-/// Where a mode must be seen to grow within a thousand steps.
-double above(const Method& method) {
-  return method.name == "explicit-euler" ? 1.2 : method.name == "dopri54" ? 1.3 : 1.1;
+/// Where a mode must be seen to grow within 2000 steps.
+double above(const Method& method) { return method.name == "explicit-euler" || method.name == "dopri54" ? 1.3 : 1.1; }
+
+/// Whether the alarm goes, or the particle leaves its place: what bounces may do so for ever without gaining energy.
+bool failsToRest(Scene scene, const Method& method, double step) {
+  scene.dt = step;
+  Simulation simulation(scene, method);
+  bool rests = true;
+  for (int tick = 0; tick < 2000 && rests; ++tick) simulation.tick(), rests = isResting(simulation);
+  return !rests || simulation.check() != Status::Ok;
 }
 
-TEST(ContactLimit, TheAlarmIsQuietBelowAndRaisedAboveForARestingParticleOfRandomContact) {
+TEST(ContactLimit, ARestingParticleOfRandomContactStaysBelowItAndFailsAbove) {
   Numbers numbers(41);
   for (int draw = 0; draw < 12; ++draw) {
     Scene scene = softOnFloor(numbers.between(0.02, 2), numbers.coin() ? numbers.between(0.1, 1) : 0);
@@ -85,9 +92,8 @@ TEST(ContactLimit, TheAlarmIsQuietBelowAndRaisedAboveForARestingParticleOfRandom
       const double limit = heldLimit(scene, method);
       if (!(limit > 0)) continue;
       const Scene resting = restingParticle(scene);
-      EXPECT_EQ(statusOf(resting, method, 0.95 * limit, 2000 * limit), Status::Ok) << method.name << " " << draw;
-      const double beyond = above(method) * limit;
-      EXPECT_NE(statusOf(resting, method, beyond, 2000 * beyond), Status::Ok) << method.name << " " << draw;
+      EXPECT_FALSE(failsToRest(resting, method, 0.95 * limit)) << method.name << " " << draw;
+      EXPECT_TRUE(failsToRest(resting, method, above(method) * limit)) << method.name << " " << draw;
     }
   }
 }
@@ -191,7 +197,7 @@ TEST(RestingParticle, StaysWhereItRests) {
   const Scene scene = restingParticle(softOnFloor(0.3, 0.5));
   Simulation simulation(scene, findMethod("rk4"));
   simulation.advanceTo(1);
-  EXPECT_LT(length(simulation.position(0)), kTiny * scene.contact.layer);
+  EXPECT_LT(std::abs(simulation.position(0).y), kTiny * scene.contact.layer);
 }
 
 }  // namespace

@@ -162,6 +162,12 @@ Mode worstHeldMode(const Scene& scene, const Method& method) {
   return heldLimitOf(method, across) < heldLimitOf(method, along) ? across : along;
 }
 
+/// Does the damping of a held particle set its limit rather than the stiffness?
+bool isHeldByItsDamping(const Method& method, const Mode& mode) {
+  if (method.stableStep == nullptr) return mode.discriminant() > 0;
+  return heldLimitOf(method, {0, mode.d}) < heldLimitOf(method, {mode.w2, 0});
+}
+
 /// Of the lattice alone.
 double latticeLimit(const Scene& scene, const Method& method) {
   const std::optional<Scene> sheet = RestSpectrum::smallSheet(scene);
@@ -223,7 +229,7 @@ StepLimit stepLimit(const Scene& scene, const Method& method) {
   if (isLimitedByContact(scene, method, limit.predicted)) {
     limit.byContact = true;
     limit.mode = worstHeldMode(scene, method);
-    limit.byDamping = limit.mode.w2 == 0 || heldLimitOf(method, {0, limit.mode.d}) < heldLimitOf(method, {limit.mode.w2, 0});
+    limit.byDamping = isHeldByItsDamping(method, limit.mode);
     return limit;
   }
   const Lattice lattice(scene);

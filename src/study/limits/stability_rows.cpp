@@ -119,7 +119,8 @@ std::string stabilityTable(const StabilityStudy& study) {
   table += "\n" + paragraph(
                       "predicted: from the modes of the sheet at rest with its pins. certified: for any deformation. "
                       "measured: the largest step found that keeps the energy alarm quiet, in tiny motions around "
-                      "rest and in the scene's own motion. none: no step; all: every step tried; -: does not exist "
+                      "rest, or in those of a particle that rests on a body where that is less, and in the scene's own "
+                      "motion. none: no step; all: every step tried; -: does not exist "
                       "or takes too long to measure.");
   for (const std::string& note : notesOn(study)) table += paragraph(note);
   return table;

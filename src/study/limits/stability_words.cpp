@@ -45,8 +45,7 @@ std::string describe(const Scene& scene, const StepLimit& limit) {
                        bodiesInWords(scene));
   }
   return fmt::format("{} {}, q = ({:.2f}, {:.2f}), set by {}", appearance,
-                     limit.outOfPlane ? "out of plane" : "in plane", limit.qx, limit.qy,
-                     causeOf(limit));
+                     limit.outOfPlane ? "out of plane" : "in plane", limit.qx, limit.qy, causeOf(limit));
 }
 
 std::string_view causeOf(const StepLimit& limit) {
