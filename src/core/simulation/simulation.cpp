@@ -42,10 +42,12 @@ Simulation::Impl::Impl(Scene wanted, const Method& method, const Settings& asked
       workers(asked.threads > 0 ? asked.threads : defaultThreads(sheet.count())),
       backend(makeBackend(scene, sheet, method, workers, asked.ledger)),
       run(scene, sheet, method, backend->energy(0), asked.ledger),
-      timetable(scene) {
+      timetable(scene),
+      addsUpPower(asked.ledger) {
   applyPushes();
   applyTimetable();
   run.supply.follow(settings.ledger, powerToSupply(), 0, backend->energyOfPower());
+  followPower();
   checkEnergies();
 }
 
@@ -60,7 +62,8 @@ void Simulation::Impl::goBackTo(const Checkpoint& checkpoint) {
   backend->restore(*checkpoint.moved);
   applyPushes();
   applyTimetable();
-  if (run.energies.followsLedger() != settings.ledger) trackDissipation(settings.ledger);
+  followPower();
+  if (run.energies.followsLedger() != settings.ledger) run.energies.followLedger(settings.ledger, sample());
 }
 
 EnergySample Simulation::Impl::sample(const Power& power) const {
@@ -84,10 +87,16 @@ Power Simulation::Impl::powerToSupply() const {
 }
 
 void Simulation::Impl::trackDissipation(bool on) {
-  run.supply.follow(on, powerToSupply(), run.clock.time(), backend->energyOfPower());
   settings.ledger = on;
-  backend->trackDissipation(on, run.clock.time());
+  followPower();
   run.energies.followLedger(on, sample());
+}
+
+void Simulation::Impl::followPower() {
+  const bool exactly = settings.ledger || bodiesMove(), changes = exactly != run.supply.isExact();
+  if (changes) run.supply.follow(exactly, powerToSupply(), run.clock.time(), backend->energyOfPower());
+  if (changes || exactly != addsUpPower) backend->trackDissipation(exactly, run.clock.time());
+  addsUpPower = exactly;
 }
 
 Simulation::Simulation(const Scene& scene, const Method& method, const Settings& settings)

@@ -68,6 +68,7 @@ void Simulation::Impl::switchWhatActs() {
     run.pins.switchAt(scene, sheet, now(), *backend);
     applyTimetable();
     checkSupply();
+    followPower();
     changes = true;
   }
   if (changes) backend->reset();
@@ -102,6 +103,12 @@ void Simulation::Impl::advance(std::int64_t steps, StepTimes times, double end) 
     times.first += some;
     finishSteps(times.h, int(some), done == steps ? end : times.at(0));
   }
+}
+
+bool Simulation::Impl::bodiesMove() const {
+  return std::ranges::any_of(scene.bodies, [&](const Body& body) {
+    return motionOf(scene, body, run.clock.time(), now().sameTime).velocity != Vec3{};
+  });
 }
 
 double Simulation::Impl::approach() const {
