@@ -62,8 +62,11 @@ void addLeastDamped(const Scene& scene, std::vector<Mode>& modes) {
   }
 }
 
-/// Adds what becomes of each mode, and of a resting particle, where something holds all particles: with its full
-/// damping, and with the half of it that contact has where its stiffness has just become whole.
+/// Stiffness and damping of a particle in the layer of contact, as shares of the largest: S' and w of
+/// core/forces/terms/contact.h at u = 1/2, 3/4, 1 and far below. Where cloth is light it rests near the top.
+constexpr std::array<std::array<double, 2>, 4> kInTheLayer{{{0.5, 0.135}, {0.896, 0.34}, {1, 0.5}, {1, 1}}};
+
+/// Adds what becomes of each mode, and of a resting particle, where something holds all particles.
 void addHeld(const Scene& scene, std::vector<Mode>& modes) {
   const auto [term, hold] = holdingTerm(scene);
   if (term == nullptr) return;
@@ -71,8 +74,8 @@ void addHeld(const Scene& scene, std::vector<Mode>& modes) {
   modes.push_back({0, 0});
   for (std::size_t k = 0, count = modes.size(); k < count; ++k) {
     const auto [w2, d] = modes[k];
-    for (const double share : {0.5, 1.0}) {
-      modes.push_back({w2 + perMass * hold.stiffness, d + share * perMass * hold.damping});
+    for (const auto& [ofStiffness, ofDamping] : kInTheLayer) {
+      modes.push_back({w2 + ofStiffness * perMass * hold.stiffness, d + ofDamping * perMass * hold.damping});
     }
     if (hold.across > 0) modes.push_back({w2, d + perMass * hold.across});
   }

@@ -48,9 +48,10 @@ TEST(RunOnBodies, OfBodiesTellsTheirEnergyTheirWorkAndStepsThatAreTooLong) {
   const std::string scene = fallsOnABall(folder);
   const std::string text = tyg("run " + scene + " --json").out;
   EXPECT_TRUE(isFlatJson(text)) << text;
-  for (const char* key : {"contact_J", "work_of_bodies_J", "largest_speed", "layers_per_step"}) {
+  for (const char* key : {"work_of_bodies_J", "largest_speed", "layers_per_step"}) {
     EXPECT_GT(std::abs(std::stod(jsonValue(text, key))), 0) << key;
   }
+  EXPECT_GE(std::stod(jsonValue(text, "contact_J")), 0);
   EXPECT_TRUE(holds(tyg("run " + scene).out, "work of bodies"));
   EXPECT_TRUE(holds(tyg("run " + scene).out, "of the layer of contact"));
   EXPECT_FALSE(holds(tyg("run " + scene + " --dt 0.0001").out, "of the layer of contact"));

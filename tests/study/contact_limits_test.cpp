@@ -149,6 +149,21 @@ TEST(ContactLimit, TheStagesOfChebyshevHoldContactUpToTheirLimit) {
   }
 }
 
+/// Where contact damps little for its stiffness.
+TEST(ContactLimit, TheStagesOfChebyshevHoldAParticleThatRestsAtTheTopOfTheLayer) {
+  const Method& method = findMethod("rkc2");
+  for (const double damping : {0.1, 0.3, 1.0}) {
+    Scene scene = restingParticle(softOnFloor(damping, 0));
+    const Contact& contact = scene.contact;
+    scene.gravity.y = -0.078 * contact.stiffness * contact.layer / scene.particleMass;
+    scene.bodies[0].at.y = 0.5 * contact.layer;
+    scene.dt = 0.95 * restLatticeLimit(scene, method);
+    Simulation simulation(scene, method);
+    simulation.tick(2000);
+    EXPECT_LT(std::abs(simulation.position(0).y), 0.01 * contact.layer) << damping;
+  }
+}
+
 TEST(ContactLimit, IsSaidToBeContactsAndNotTheSprings) {
   Scene scene = softOnFloor(0.3, 0);
   const Method& method = findMethod("leapfrog");

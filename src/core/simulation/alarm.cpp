@@ -24,9 +24,10 @@ double hundredthStretch(const Scene& scene, const Sheet& sheet) {
 void Alarm::lose(double power, double time) {
   const double explained = std::max(0.0, flowedBefore_);
   lost_ -= std::max(0.0, lost_ - explained) / kMemory;
-  lost_ += std::min(power, lastPower_) * (time - lastTime_);
+  const double lasting = std::min(power, lastPower_);
+  lost_ += (touches_ ? std::min(lasting, powerBefore_) : lasting) * (time - lastTime_);
   flowedLately_ *= 1 - 1 / kMemory;
-  lastPower_ = power, lastTime_ = time;
+  powerBefore_ = lastPower_, lastPower_ = power, lastTime_ = time;
   lossIsPresent_ = true;
 }
 
@@ -51,7 +52,7 @@ Status Alarm::check(const StoredEnergy& energy, double work, double flowing) {
 }
 
 Alarm makeAlarm(const Scene& scene, const Sheet& sheet, const StoredEnergy& start) {
-  return {hundredthStretch(scene, sheet), start.withNaturalZero()};
+  return {hundredthStretch(scene, sheet), start.withNaturalZero(), !scene.bodies.empty()};
 }
 
 }  // namespace tyg
