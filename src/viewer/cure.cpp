@@ -38,7 +38,8 @@ std::string cause(const Simulation& simulation, double limit) {
     constexpr double kSame = 0.99;
     const bool byContact = said.byContact && limit > kSame * said.predicted;
     return fmt::format(": its limit is {:.3g} ms", 1e3 * limit) +
-           (byContact ? fmt::format(", set by contact with {}, not the springs", bodiesInWords(simulation.scene())) : "");
+           (byContact ? fmt::format(", set by contact with {}, not the springs", bodiesInWords(simulation.scene()))
+                      : "");
   }
   return fmt::format(": it kept its limit of {:.3g} ms at rest, but this cloth is far from rest", 1e3 * limit);
 }

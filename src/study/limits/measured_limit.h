@@ -12,9 +12,9 @@ namespace tyg {
 
 class Simulation;
 
-/// The scene around its rest shape: no weight, no pushes, no bodies, every particle displaced at random by up to a ten-thousandth
-/// of the spacing, so that springs stay as they are at rest while the displacement can grow a hundredfold before the
-/// alarm goes. In double precision.
+/// The scene around its rest shape: no weight, no pushes, no bodies, every particle displaced at random by up to a
+/// ten-thousandth of the spacing, so that springs stay as they are at rest while the displacement can grow a
+/// hundredfold before the alarm goes. In double precision.
 Scene linearRegime(Scene scene);
 /// A single particle that rests deep in the layer of a plane, with the contact of the scene: so deep that its stiffness
 /// and damping are the largest that contact has, and with so much friction that this stays a damper of the same grip.
