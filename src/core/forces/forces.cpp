@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <thread>
 #include <utility>
 #include <vector>
 
-#include "core/forces/progress.h"
 #include "core/forces/row_kernel.h"
 #include "core/forces/term.h"
 #include "util/workers.h"
@@ -71,6 +72,18 @@ AlignedVector<T> maskOfFree(const Layout& layout, const Sheet& sheet) {
   for (const int pin : sheet.pins) mask[static_cast<std::size_t>(layout.at(pin))] = T(0);
   return mask;
 }
+
+/// How far a group of steps has come, alone on its cache line.
+struct alignas(64) Progress {
+  std::atomic<int> rows{0};
+
+  /// Another thread works on it right now: spinning is short, and gives way where threads share cores.
+  void await(int wanted) const {
+    for (int spin = 0; rows.load(std::memory_order_acquire) < wanted; ++spin) {
+      if (spin > 1000) std::this_thread::yield();
+    }
+  }
+};
 
 constexpr int kGroup = 4;
 
@@ -167,9 +180,6 @@ void Forces<T>::useParameters(const Scene& scene) {
 template <class T>
 void Forces<T>::act(const Acting& acting) {
   kernel_->acting = acting;
-  bodiesMove_ = kernel_->blockTerms != 0 &&
-                std::ranges::any_of(acting.bodies, [](const BodyMotion& motion) { return motion.velocity != Vec3{}; });
-  if (!trackDissipation_ && !bodiesMove_) account_.power.supplied = {};
 }
 
 template <class T>
@@ -291,11 +301,7 @@ void Forces<T>::measurePower(double time, const VectorField<T>& position, const 
 
 template <class T>
 void Forces<T>::takePower(double time, const VectorField<T>& position, const VectorField<T>& velocity) {
-  if (trackDissipation_) {
-    account_.power = powerOf(time, position, velocity);
-  } else if (bodiesMove_) {
-    account_.power.supplied = sumOfRows(kernel_->kernels.broughtByBlocks, time, position, velocity).supplied;
-  }
+  if (trackDissipation_) account_.power = powerOf(time, position, velocity);
 }
 
 template <class T>
@@ -353,23 +359,17 @@ void Forces<T>::clearPushes() {
 }
 
 template <class T>
-template <class Visit>
-void Forces<T>::visitRows(double time, const VectorField<T>& position, const VectorField<T>& velocity,
-                          const Visit& visit) const {
-  EnergyRow<T> now = kernel_->energyRow;
-  setMoment<double>(now, kernel_->energyMoment, kernel_->scene, kernel_->acting, time);
-  now.position = position.x(), now.velocity = velocity.x();
-  workers_.forBands(layout_.rows, [&](int first, int last, int) {
-    EnergyRow<T> row = now;
-    for (row.row = first; row.row < last; ++row.row) visit(row);
-  });
-}
-
-template <class T>
 StoredEnergy Forces<T>::energy(double time, const State<T>& state) const {
   Kernel& k = *kernel_;
-  visitRows(time, state.position, state.velocity,
-            [&](const EnergyRow<T>& row) { k.rowEnergies[std::size_t(row.row)] = k.kernels.energy(row); });
+  EnergyRow<T> now = k.energyRow;
+  setMoment<double>(now, k.energyMoment, k.scene, k.acting, time);
+  workers_.forBands(layout_.rows, [&](int first, int last, int) {
+    EnergyRow<T> row = now;
+    row.position = state.position.x(), row.velocity = state.velocity.x();
+    for (row.row = first; row.row < last; ++row.row) {
+      k.rowEnergies[static_cast<std::size_t>(row.row)] = k.kernels.energy(row);
+    }
+  });
   StoredEnergy sum;
   for (StoredEnergy& row : k.rowEnergies) {
     row.kinetic *= k.sheet.particleMass;
@@ -380,16 +380,19 @@ StoredEnergy Forces<T>::energy(double time, const State<T>& state) const {
 
 template <class T>
 Power Forces<T>::powerOf(double time, const VectorField<T>& position, const VectorField<T>& velocity) const {
-  return kernel_->hasPower ? sumOfRows(kernel_->kernels.power, time, position, velocity) : Power();
-}
-
-template <class T>
-Power Forces<T>::sumOfRows(PowerOfRow powerOfRow, double time, const VectorField<T>& position,
-                           const VectorField<T>& velocity) const {
-  std::vector<Power>& powers = kernel_->rowPowers;
-  visitRows(time, position, velocity, [&](const EnergyRow<T>& row) { powers[std::size_t(row.row)] = powerOfRow(row); });
+  Kernel& k = *kernel_;
   Power power;
-  for (const Power& row : powers) power.add(row);
+  if (!k.hasPower) return power;
+  EnergyRow<T> now = k.energyRow;
+  setMoment<double>(now, k.energyMoment, k.scene, k.acting, time);
+  workers_.forBands(layout_.rows, [&](int first, int last, int) {
+    EnergyRow<T> row = now;
+    row.position = position.x(), row.velocity = velocity.x();
+    for (row.row = first; row.row < last; ++row.row) {
+      k.rowPowers[static_cast<std::size_t>(row.row)] = k.kernels.power(row);
+    }
+  });
+  for (const Power& row : k.rowPowers) power.add(row);
   return power;
 }
 

@@ -15,8 +15,6 @@
 namespace tyg {
 
 class Workers;
-template <class T>
-struct EnergyRow;
 enum class Update;
 
 /// The forces of a scene in newtons. Pinned particles feel exactly 0.
@@ -41,9 +39,9 @@ class Forces {
   /// Force on every particle at this time (s), these positions and velocities. Counts as one force evaluation.
   void evaluate(double time, const VectorField<T>& position, const VectorField<T>& velocity, VectorField<T>& force);
 
-  /// Whether the fused updates below may be used now: where the ledger follows the dissipation, or pins or bodies move,
-  /// forces have to be seen one evaluation at a time.
-  [[nodiscard]] bool canAdvance() const { return !trackDissipation_ && movingPins_.empty() && !bodiesMove_; }
+  /// Whether the fused updates below may be used now: where the ledger follows the dissipation, or pins move, forces
+  /// have to be seen one evaluation at a time.
+  [[nodiscard]] bool canAdvance() const { return !trackDissipation_ && movingPins_.empty(); }
   static constexpr int kMostSteps = 64;  ///< of one call
   /// `count` steps v += h/m F(t, x, v); x += h v, with the same bits as evaluating and updating step by step. `times`
   /// says when each of them evaluates its force.
@@ -83,12 +81,8 @@ class Forces {
   /// not counted. No force evaluation.
   [[nodiscard]] Power powerOf(double time, const VectorField<T>& position, const VectorField<T>& velocity) const;
 
-  /// With `on`, every evaluation also works out the power of damping and of terms. Without, it does so for bodies that
-  /// move alone: their work comes in blows, of which the moments of energy checks know nothing.
-  void trackDissipation(bool on) {
-    trackDissipation_ = on;
-    if (!on) account_.power = {.pins = account_.power.pins};
-  }
+  /// With `on`, every evaluation also works out the power of damping and of terms.
+  void trackDissipation(bool on) { trackDissipation_ = on; }
   /// The power of the last evaluation counts for `seconds` in its integral. Methods call it with their own quadrature
   /// weights, so that the ledger closes to the method's own order.
   void addPower(double seconds) { account_.energy.add(account_.power, seconds); }
@@ -121,15 +115,9 @@ class Forces {
   double inverseMass_;
   std::unique_ptr<Kernel> kernel_;
   void takePower(double time, const VectorField<T>& position, const VectorField<T>& velocity);
-  /// Calls visit(row) for every row of this state, in several threads.
-  template <class Visit>
-  void visitRows(double time, const VectorField<T>& position, const VectorField<T>& velocity, const Visit& visit) const;
-  using PowerOfRow = Power (*)(const EnergyRow<T>&);
-  [[nodiscard]] Power sumOfRows(PowerOfRow powerOfRow, double time, const VectorField<T>& position,
-                                const VectorField<T>& velocity) const;
   double takeFromPins(const VectorField<T>& velocity, VectorField<T>& force) const;
 
-  bool trackDissipation_ = false, bodiesMove_ = false;
+  bool trackDissipation_ = false;
   std::vector<int> movingPins_;
   Account account_;
 };

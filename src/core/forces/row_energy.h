@@ -297,22 +297,5 @@ Power powerOfRow(const EnergyRow<T>& given) {
   return power;
 }
 
-/// What the terms of blocks bring, and nothing else.
-template <class T>
-Power broughtByBlocks(const EnergyRow<T>& given) {
-  const RowOfTerms<T> row(given);
-  Power power;
-  std::size_t supply = 0;
-  AllTerms::forEach([&]<class Term>() {
-    if constexpr (requires { Term::kSupply; }) {
-      if constexpr (Term::kPlace == TermPlace::Blocks) {
-        power.supplied[supply] = Term::powersIn(row, numbersOf<Term>(given))[1];
-      }
-      ++supply;
-    }
-  });
-  return power;
-}
-
 }  // namespace
 }  // namespace tyg

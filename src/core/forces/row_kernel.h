@@ -105,7 +105,6 @@ struct RowKernels {
   FinishForces<T> finish[3][subsetsOf(TermPlace::Particles)][2];   ///< by update, terms, and whether pushes act
   StoredEnergy (*energy)(const EnergyRow<T>&);                     ///< kinetic: of particles of 1 kg
   Power (*power)(const EnergyRow<T>&);                             ///< pins not counted
-  Power (*broughtByBlocks)(const EnergyRow<T>&);                   ///< what terms of blocks bring, alone
 };
 /// The kernels of the level in use.
 template <class T>

@@ -68,7 +68,6 @@ constexpr RowKernels<T> allKernels() {
   fillAllAddToBlock(kernels, std::make_integer_sequence<unsigned, subsetsOf(TermPlace::Blocks)>{});
   kernels.energy = energyOfRow<T>;
   kernels.power = powerOfRow<T>;
-  kernels.broughtByBlocks = broughtByBlocks<T>;
   return kernels;
 }
 

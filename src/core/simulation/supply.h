@@ -1,13 +1,9 @@
-// The energy that terms have brought. That of bodies is exact. That of the wind is so where the ledger is followed, and
-// otherwise estimated between energy checks, where it is asked for by the alarm alone. A regular type, so that a
-// checkpoint is a copy.
+// The energy that terms such as wind have brought: exact where the ledger is followed, and otherwise estimated between
+// energy checks, where it is asked for by the alarm alone. A regular type, so that a checkpoint is a copy.
 // Must not know: where the power comes from.
 #pragma once
 
-#include <array>
-
 #include "core/forces/power.h"
-#include "core/forces/terms/all_terms.h"
 
 namespace tyg {
 
@@ -15,8 +11,8 @@ class Supply {
  public:
   using Energies = decltype(Power::supplied);  ///< J, by kSupplies
 
-  /// From this time (s) on the energy is all that the methods add up, or else partly estimated. `power` (W) and
-  /// `integral` (J, of what they have added up so far) are of now.
+  /// From this time (s) on the energy is what the methods add up, or else estimated. `power` (W) and `integral` (J, of
+  /// what they have added up so far) are of now.
   void follow(bool exactly, const Power& power, double time, const Power& integral) {
     brought_ = upTo(power, time, integral);
     exactly_ = exactly;
@@ -30,14 +26,12 @@ class Supply {
   [[nodiscard]] Energies upTo(const Power& power, double time, const Power& integral) const {
     Energies all = brought_;
     for (std::size_t k = 0; k < all.size(); ++k) {
-      all[k] += exactly_ || kAlwaysExact[k] ? integral.supplied[k] - integral_[k]
-                                            : (power_[k] + power.supplied[k]) / 2 * (time - time_);
+      all[k] += exactly_ ? integral.supplied[k] - integral_[k] : (power_[k] + power.supplied[k]) / 2 * (time - time_);
     }
     return all;
   }
 
  private:
-  static constexpr std::array kAlwaysExact = AllTerms::suppliesFrom(TermPlace::Blocks);
   Energies brought_{};             ///< until time_
   Energies power_{}, integral_{};  ///< at time_, W and J
   double time_ = 0;                ///< s

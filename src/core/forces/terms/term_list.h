@@ -83,16 +83,6 @@ struct TermList {
     return names;
   }
 
-  /// Which of these come from terms of this place.
-  static consteval std::array<bool, kSupplies> suppliesFrom(TermPlace place) {
-    std::array<bool, kSupplies> are{};
-    std::size_t count = 0;
-    forEach([&]<class Each>() {
-      if constexpr (requires { Each::kSupply; }) are[count++] = Each::kPlace == place;
-    });
-    return are;
-  }
-
   /// The stores of these terms, each once, in order.
   static consteval EnergyStores<sizeof...(Term)> stores() {
     EnergyStores<sizeof...(Term)> all;
