@@ -225,7 +225,8 @@ inline std::vector<Body> bodiesOfEveryShape() {
           {.shape = Shape::Ball, .at = {-1, -1, 0.2}, .radius = 1.3},
           {.shape = Shape::Capsule, .at = {1, -2, -1}, .axis = {0.5, 0.3, 2}, .radius = 1},
           {.shape = Shape::Box, .at = {1.5, -1, 0.1}, .half = {1.6, 1.1, 1.3}, .radius = 1},
-          {.shape = Shape::Plane, .at = {0, -1, 0}, .normal = {0.6, 0.8, 0}}};
+          {.shape = Shape::Plane, .at = {0, -1, 0}, .normal = {0.6, 0.8, 0}},
+          {.shape = Shape::Plane, .at = {0, -2, 0}, .normal = {0, 1, 0}}};
 }
 
 /// One particle that nothing holds.

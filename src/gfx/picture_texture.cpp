@@ -93,4 +93,10 @@ void PictureTexture::draw(const std::function<void()>& drawing) {
   glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
+void PictureTexture::read(const std::function<void()>& reading) const {
+  const FramebufferGuard guard;
+  glBindFramebuffer(GL_FRAMEBUFFER, impl_->resolved.name());
+  reading();
+}
+
 }  // namespace tyg

@@ -1,4 +1,4 @@
-// A texture that can be drawn into like a framebuffer: small pictures for the window's panels.
+// A texture that can be drawn into like a framebuffer: smoothed pictures, small ones for the window's panels too.
 // Must not know: what it shows.
 #pragma once
 
@@ -20,6 +20,8 @@ class PictureTexture {
 
   /// Draws into it, smoothed as in the window; the framebuffer bound before is bound again afterwards.
   void draw(const std::function<void()>& drawing);
+  /// Calls this while what was drawn last is the framebuffer that is bound.
+  void read(const std::function<void()>& reading) const;
   [[nodiscard]] unsigned name() const;  ///< of the OpenGL texture; its first row is the lowest
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }

@@ -2,11 +2,31 @@
 #include "ui/cloth_painter.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "core/forces/terms/air.h"
+#include "view/body_shapes.h"
 #include "view/wind_arrow.h"
 
 namespace tyg {
+namespace {
+
+/// A ghost beside the cloth has the bodies beside them. A plane that is shifted along itself is there already.
+void addShifted(std::vector<Body>& bodies, const glm::vec3& shift) {
+  if (shift == glm::vec3(0)) return;
+  constexpr double kAlong = 1e-6;  // m
+  for (std::size_t k = 0, count = bodies.size(); k < count; ++k) {
+    Body copy = bodies[k];
+    const Vec3& normal = copy.normal;
+    const double away = normal.x * shift.x + normal.y * shift.y + normal.z * shift.z;
+    if (copy.shape == Shape::Plane && std::abs(away) < kAlong) continue;
+    copy.at = {copy.at.x + shift.x, copy.at.y + shift.y, copy.at.z + shift.z};
+    bodies.push_back(std::move(copy));
+  }
+}
+
+}  // namespace
 
 std::optional<ShownWind> shownWind(const Viewer& viewer) {
   const ShownState& shown = viewer.run().shown();
@@ -27,6 +47,9 @@ void ClothPainter::draw(const Viewer& viewer, Panels& panels, Extent window) {
   ClothPicture picture{.options = viewer.view().drawOptions()};
   picture.options.wind = shownWind(viewer);
   panels.paint(picture);
+  placeBodies(viewer.run().simulation().scene(), viewer.run().shown().time(), bodies_);
+  addShifted(bodies_, picture.ghostShift);
+  picture.options.bodies = bodies_;
   const glm::ivec2 pixels{window.width, window.height};
   const Camera& camera = viewer.view().camera();
   const std::span<const float> positions = viewer.run().shown().positions();
@@ -38,7 +61,8 @@ void ClothPainter::draw(const Viewer& viewer, Panels& panels, Extent window) {
                    .background = picture.options.background,
                    .mesh = dark ? rgb(0xf4f6f8) : rgb(0x20242a),
                    .over = true,
-                   .opacity = picture.ghostOpacity});
+                   .opacity = picture.ghostOpacity,
+                   .bodies = bodies_});
 }
 
 }  // namespace tyg

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "gfx/passes/sheet_renderer.h"
 #include "ui/panels/panels.h"
@@ -23,7 +24,8 @@ class ClothPainter {
 
  private:
   std::unique_ptr<SheetRenderer> renderer_;
-  int sheet_;  ///< of SceneControl::sheetsSoFar(), the one that the renderer is for
+  std::vector<Body> bodies_;  ///< as shown
+  int sheet_;                 ///< of SceneControl::sheetsSoFar(), the one that the renderer is for
 };
 
 }  // namespace tyg

@@ -158,12 +158,12 @@ glm::mat4 Camera::view() const {
   return view;
 }
 
-glm::mat4 Camera::projection(float aspect) const {
-  return glm::perspective(fieldOfView_, aspect > 0 && std::isfinite(aspect) ? aspect : 1.0F, nearest(), farthest());
+glm::mat4 Camera::projection(float aspect, float from) const {
+  return glm::perspective(fieldOfView_, aspect > 0 && std::isfinite(aspect) ? aspect : 1.0F, from, farthest());
 }
 
-float Camera::nearest() const {
-  const glm::vec3 toBox = glm::max(glm::max(cloth_.low - eye_, eye_ - cloth_.high), glm::vec3(0));
+float Camera::nearest(const Box& thing) const {
+  const glm::vec3 toBox = glm::max(glm::max(thing.low - eye_, eye_ - thing.high), glm::vec3(0));
   return std::max(0.3F * glm::length(toBox), 0.002F * cloth_.size());
 }
 float Camera::farthest() const { return 4 * distance() + 30 * cloth_.size(); }

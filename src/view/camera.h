@@ -55,10 +55,14 @@ class Camera {
 
   [[nodiscard]] glm::mat4 view() const;
   /// OpenGL's clip space (z from -1 to 1). `aspect` that is not above zero counts as 1 (a minimised window).
-  [[nodiscard]] glm::mat4 projection(float aspect) const;
+  [[nodiscard]] glm::mat4 projection(float aspect) const { return projection(aspect, nearest()); }
+  /// The same from another distance on, m, > 0.
+  [[nodiscard]] glm::mat4 projection(float aspect, float from) const;
   /// The distances between which things are drawn, m: both follow the distance to the cloth.
-  [[nodiscard]] float nearest() const;
+  [[nodiscard]] float nearest() const { return nearest(cloth_); }
   [[nodiscard]] float farthest() const;
+  /// nearest() for something else than the cloth, within this box.
+  [[nodiscard]] float nearest(const Box& thing) const;
 
  private:
   [[nodiscard]] float slopeOf(float heights) const;

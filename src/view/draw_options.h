@@ -1,4 +1,4 @@
-// What of a cloth is drawn and how: families of springs, discs, ground, colours, a push, a wind.
+// What of a cloth is drawn and how: families of springs, discs, ground, colours, a push, a wind, bodies.
 // Must not know: OpenGL, windows, the simulation.
 #pragma once
 
@@ -36,10 +36,11 @@ struct DrawOptions {
   Background background = Background::Dark;
   float lineWidth = 1.8F;         ///< pixels, > 0, where the mesh is coarse; thinner and fainter where it is dense
   std::optional<glm::vec3> mesh;  ///< colour of the structural lines, red green blue 0..1; none: the background's own
-  bool over = false;              ///< keep what is in the framebuffer and draw the cloth into it (and no ground)
-  float opacity = 1;              ///< of the spring lines, 0..1
+  bool over = false;  ///< keep what is in the framebuffer and draw the cloth into it (and no ground, wind or bodies)
+  float opacity = 1;  ///< of the spring lines, 0..1
   Colouring colouring{};
   std::optional<ShownWind> wind{};
+  std::span<const Body> bodies{};  ///< where they are now (see placeBodies), valid while they are drawn
 };
 
 /// A push as shown: an arrow on a particle along a force (N).

@@ -7,13 +7,10 @@
 #include <glm/glm.hpp>
 
 #include "view/draw_options.h"
+#include "view/solid_vertex.h"
 
 namespace tyg {
 
-/// A corner of a triangle.
-struct SolidVertex {
-  glm::vec3 position, normal;
-};
 /// Triangles of an arrow of length 1 along x whose middle is the origin, three vertices each.
 std::vector<SolidVertex> arrowSolid();
 

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "core/forces/term.h"
+#include "view/body_shapes.h"
 
 namespace tyg {
 namespace {
@@ -34,10 +36,20 @@ void addHangingCloth(const Simulation& simulation, std::vector<glm::vec3>& point
   }
 }
 
-/// Where a pinned cloth gets to in its first seconds. How far the trial comes depends on the machine, and only the
-/// first view depends on that.
-void addMotion(Simulation trial, const std::function<double()>& clock, std::vector<glm::vec3>& points) {
+void addBodies(const Simulation& simulation, const Box& cloth, std::vector<glm::vec3>& points) {
+  std::vector<Body> bodies;
+  placeBodies(simulation.scene(), simulation.time(), bodies);
+  addBodyPoints(bodies, cloth, points);
+}
+
+/// Where a cloth gets to in its first seconds that is pinned, or that bodies hold up; one that misses them falls far.
+/// How far the trial comes depends on the machine, and only the first view depends on that.
+void addMotion(Simulation trial, const Box& cloth, const std::function<double()>& clock,
+               std::vector<glm::vec3>& points) {
+  const Box around = surroundingsOf(cloth);
   std::vector<float> xyz(static_cast<std::size_t>(3 * trial.sheet().count()));
+  const bool hasBodies = !trial.scene().bodies.empty();
+  const auto clamped = [&](const glm::vec3& point) { return glm::clamp(point, around.low, around.high); };
   const double start = clock(), end = std::min(trial.scene().duration, kTrialSeconds);
   const auto goesOn = [&] { return clock() - start < kTrialWallSeconds; };
   trial.observe(goesOn);
@@ -46,8 +58,10 @@ void addMotion(Simulation trial, const std::function<double()>& clock, std::vect
     if (trial.ticks() % kTicksPerBox != 0) continue;
     if (trial.check() != Status::Ok) return;
     trial.copyPositions(xyz);
-    addCorners(boxAround(xyz), points);
+    const Box now = boxAround(xyz);
+    addCorners(hasBodies ? Box{clamped(now.low), clamped(now.high)} : now, points);
   }
+  addBodies(trial, cloth, points);
 }
 
 }  // namespace
@@ -56,10 +70,11 @@ std::vector<glm::vec3> motionBounds(const Simulation& simulation, const Box& box
                                     const std::function<double()>& clock) {
   std::vector<glm::vec3> points;
   addCorners(box, points);
-  if (simulation.sheet().pins.empty()) return points;
+  addBodies(simulation, box, points);
+  if (simulation.sheet().pins.empty() && simulation.scene().bodies.empty()) return points;
   addHangingCloth(simulation, points);
   if (simulation.sheet().count() > kMostInTrial) return points;
-  addMotion(Simulation(simulation.scene(), simulation.method(), settings), clock, points);
+  addMotion(Simulation(simulation.scene(), simulation.method(), settings), box, clock, points);
   return points;
 }
 

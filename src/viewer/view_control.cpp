@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "view/body_shapes.h"
+
 namespace tyg {
 
 void ViewControl::resize(Extent pixels, const Insets& insets) {
@@ -19,8 +21,12 @@ void ViewControl::resize(Extent pixels, const Insets& insets) {
 
 void ViewControl::frameCloth() {
   camera_.watch(cloth_);
-  const auto corners = cloth_.corners();
-  inView_ = hasMoved_ ? std::vector(corners.begin(), corners.end()) : motionBounds_;
+  inView_ = motionBounds_;
+  if (hasMoved_) {
+    const auto corners = cloth_.corners();
+    inView_.assign(corners.begin(), corners.end());
+    addBodyPoints(bodies_, cloth_, inView_);
+  }
   fitView();
 }
 

@@ -4,6 +4,7 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "view/camera.h"
@@ -24,14 +25,16 @@ class ViewControl {
  public:
   /// A new cloth, whose motion stays within these points (m): the view of it before it moves.
   void begin(std::vector<glm::vec3> motionBounds) { motionBounds_ = std::move(motionBounds); }
-  /// Where the cloth is now, and whether it has moved since its start.
-  void follow(const Box& cloth, bool hasMoved) { cloth_ = cloth, hasMoved_ = hasMoved; }
+  /// Where the cloth and the bodies, which are kept by reference, are now, and whether time has passed since the start.
+  void follow(const Box& cloth, std::span<const Body> bodies, bool hasMoved) {
+    cloth_ = cloth, bodies_ = bodies, hasMoved_ = hasMoved;
+  }
 
   /// Size of the window, and its insets. The first one that is not empty frames the cloth, and what is beside it, in
   /// the rest (a third of the window in any case), as frameCloth() does. So do later ones, until the person moves the
   /// camera: from then on the cloth stays as large as it is, and slides to the middle of what is free.
   void resize(Extent pixels, const Insets& insets);
-  /// Shows all of the cloth, and before it has moved also where it will get to.
+  /// Shows all of the cloth and of the bodies near to it, and before it has moved also where it will get to.
   void frameCloth();
   /// Once a frame: moves as the held keys say.
   void move(const Motion& keys, float seconds);
@@ -57,6 +60,7 @@ class ViewControl {
   Extent pixels_;
   Insets insets_;
   Box cloth_;
+  std::span<const Body> bodies_;
   bool hasMoved_ = false;
   std::vector<glm::vec3> motionBounds_;
   std::vector<glm::vec3> inView_;  ///< what was framed

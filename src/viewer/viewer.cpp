@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tyg/methods.h"
+#include "view/body_shapes.h"
 #include "viewer/motion_bounds.h"
 
 namespace tyg {
@@ -32,7 +33,10 @@ void Viewer::runBegan() {
   view_.frameCloth();
 }
 
-void Viewer::followCloth() { view_.follow(run_.shown().box(), run_.simulation().ticks() > 0); }
+void Viewer::followCloth() {
+  placeBodies(run_.simulation().scene(), run_.shown().time(), bodies_);
+  view_.follow(run_.shown().box(), bodies_, run_.simulation().ticks() > 0);
+}
 
 void Viewer::handle(const WindowEvent& event) {
   if (event.kind == WindowEvent::Kind::Press && idle()) {  // the idle time is neither made up nor measured

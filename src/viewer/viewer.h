@@ -68,6 +68,7 @@ class Viewer final : private RunListener {
   Tools tools_;
   HeldKeys keys_;
   PaceMeter pace_;
+  std::vector<Body> bodies_;  ///< where they are at the shown time
   glm::vec2 cursor_{0};
   int sheet_ = 0;         ///< of scenes_.sheetsSoFar(), the one that the view and the tools are of
   double lastFrame_ = 0;  ///< s, of the clock

@@ -25,6 +25,24 @@ Scene curtain() {
 
 void withoutDamping(Scene& scene) { scene.structural.kd = scene.shear.kd = scene.bend.kd = 0; }
 
+/// A floor this far below the sheet, which lies flat, m.
+void addPlane(Scene& scene, double below) {
+  scene.start = Start::Flat;
+  scene.bodies.push_back({.shape = Shape::Plane, .at = {0, -below, 0}});
+  fillContact(scene);
+}
+/// A ball whose top touches the sheet and whose box holds all of it.
+void addBall(Scene& scene) {
+  constexpr double kRadius = 100;  // m
+  scene.start = Start::Flat;
+  scene.bodies.push_back({.shape = Shape::Ball, .at = {0, 5e-4 - kRadius, 0}, .radius = kRadius});
+  fillContact(scene);
+}
+void addWind(Scene& scene) {
+  scene.air.density = 1.2;
+  scene.winds = {{.velocity = {4, 0, 1}}};
+}
+
 /// A change of the curtain, and what is followed beside its motion.
 struct Variant {
   const char* name;
@@ -43,15 +61,22 @@ constexpr Variant kVariants[] = {
     {"axial damping", [](Scene& s) { s.damping = Damping::Axial; }},
     {"drag", [](Scene& s) { s.drag = 1e-4; }},
     {"still air", [](Scene& s) { s.air.density = 1.2; }},
-    {"a steady wind",
-     [](Scene& s) {
-       s.air.density = 1.2;
-       s.winds = {{.velocity = {4, 0, 1}}};
-     }},
+    {"a steady wind", addWind},
     {"a wind with gusts",
      [](Scene& s) {
        s.air.density = 1.2;
        s.winds = {{.velocity = {4, 0, 1}, .gust = {1, 0, 2}, .wavelength = 1.5}};
+     }},
+    {"a plane far away", [](Scene& s) { addPlane(s, 10); }},
+    {"lying flat", [](Scene& s) { s.start = Start::Flat; }},
+    {"a plane", [](Scene& s) { addPlane(s, -1e-3); }},
+    {"a plane with friction", [](Scene& s) { s.contact.friction = 0.5, addPlane(s, -1e-3); }},
+    {"the same without the alarm", [](Scene& s) { s.contact.friction = 0.5, addPlane(s, -1e-3); }, false, false},
+    {"a ball with friction", [](Scene& s) { s.contact.friction = 0.5, addBall(s); }},
+    {"wind, a plane and a ball, friction",
+     [](Scene& s) {
+       addWind(s), addBall(s);
+       s.contact.friction = 0.5, addPlane(s, -1e-3);
      }},
     {"a push acting",
      [](Scene& s) {

@@ -25,6 +25,9 @@ TEST(SheetRenderer, ASecondFrameAllocatesNothing) {
   DrawOptions options;
   options.shear = options.bend = options.particles = true;
   options.colouring = {.by = Colouring::By::Particle, .ramp = Ramp::Growing, .low = 0, .high = 100, .values = values};
+  const std::vector<Body> bodies{{.shape = Shape::Ball, .radius = 0.2, .name = "a ball with a long name"},
+                                 {.shape = Shape::Plane, .at = {0, -1, 0}}};
+  options.bodies = bodies;
   const ShownPush push{.particle = 66, .force = {0.5, 0, 2}};
   Camera camera;
   camera.frame(boxAround(xyz), 1.6F);

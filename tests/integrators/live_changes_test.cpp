@@ -1,6 +1,8 @@
 // Changes of a scene's parameters while it moves: what methods do anew in place is what a new start would do.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/forces/parameter.h"
@@ -69,6 +71,72 @@ TEST(LiveChanges, OfAirAndWindGoOnAsANewIntegratorWould) {
         ASSERT_EQ(inPlace.scene(), scene) << method.name;
       }
     }
+  }
+}
+
+/// The sheet above a floor and beside a ball, which it soon touches.
+Scene sheetOnBodies(Precision precision) {
+  Scene scene = tickingSheet(precision);
+  scene.bodies = {{.shape = Shape::Plane, .at = {0, -0.15, 0}},
+                  {.shape = Shape::Ball, .at = {0, -0.9, 1}, .radius = 1, .name = "ball"}};
+  scene.contact.friction = 0.4;
+  fillContact(scene);
+  scene.contact.layer = 0.2;
+  return scene;
+}
+
+TEST(LiveChanges, OfContactAndBodiesGoOnAsANewIntegratorWould) {
+  for (const Precision precision : {Precision::Float, Precision::Double}) {
+    const Scene touching = sheetOnBodies(precision);
+    for (const Method& method : methods()) {
+      Simulation inPlace(touching, method), anew(touching, method);
+      inPlace.tick(20), anew.tick(20);
+      for (const Scene& scene : changedScenes(touching)) {
+        inPlace.useLiveParameters(scene), anew.useLiveParameters(scene);
+        anew.useMethod(method);
+        inPlace.tick(3), anew.tick(3);
+        ASSERT_EQ(inPlace.hash(), anew.hash()) << method.name;
+        ASSERT_EQ(inPlace.scene(), scene) << method.name;
+      }
+    }
+  }
+}
+
+TEST(LiveChanges, ABodyThatIsDraggedBringsWorkAndIsLoggedAndReplayed) {
+  const Scene scene = sheetOnBodies(Precision::Double);
+  Simulation simulation(scene, findMethod("leapfrog"), {.ledger = true}), still(scene, findMethod("leapfrog"));
+  simulation.tick(60), still.tick(60);
+  const Snapshot before = simulation.save();
+  Scene dragged = scene;
+  for (int k = 0; k < 20; ++k) {
+    dragged.bodies[1].at.y += 0.01;
+    simulation.useLiveParameters(dragged);
+    simulation.tick(1), still.tick(1);
+  }
+  EXPECT_NE(simulation.hash(), still.hash());
+  const Ledger ledger = simulation.ledger();
+  EXPECT_GT(ledger.work["pushes"], 0) << "the ball lifts the sheet";
+  EXPECT_LT(std::abs(ledger.drift), 0.01);
+  Simulation again(scene, findMethod("leapfrog"));
+  again.replay(parseEventLog(formatEventLog(simulation.log()), "log"), methods());
+  again.tick(80);
+  EXPECT_EQ(again.hash(), simulation.hash());
+  EXPECT_EQ(again.scene().bodies, dragged.bodies);
+  simulation.restore(before);
+  EXPECT_EQ(simulation.scene().bodies, scene.bodies);
+  still = Simulation(scene, findMethod("leapfrog"));
+  still.tick(65), simulation.tick(5);
+  EXPECT_EQ(simulation.hash(), still.hash());
+}
+
+TEST(LiveChanges, RefuseValuesThatSceneFilesRefuse) {
+  const Scene scene = sheetOnBodies(Precision::Double);
+  Simulation simulation(scene, findMethod("leapfrog"));
+  for (const auto& [key, value] : {std::pair{"contact.layer", 0.0}, {"contact.friction", -1.0}}) {
+    Scene wrong = scene;
+    findParameter(key)->set(wrong, {value, 0, 0});
+    EXPECT_THROW(simulation.useLiveParameters(wrong), InputError) << key;
+    EXPECT_EQ(simulation.scene(), scene) << key;
   }
 }
 

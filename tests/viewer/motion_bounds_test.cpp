@@ -25,5 +25,27 @@ TEST(MotionBounds, OfAClothWhoseTickWouldTakeHoursAreFoundSoon) {
   EXPECT_LT(wallClock() - began, 20);
 }
 
+/// Nothing holds the cloth: a trial run without bodies would tell of a fall that never ends.
+TEST(MotionBounds, OfAClothThatFallsOntoAFloorReachDownToIt) {
+  Scene scene = emptyWorld(3, 3);
+  scene.start = Start::Flat;
+  scene.spacing = 0.5;
+  scene.gravity = {0, -9.81, 0};
+  scene.dt = 1e-3;
+  scene.bodies = {{.shape = Shape::Plane, .at = {0, -0.6, 0}}};
+  scene.contact.stiffness = 1e5;
+  fillContact(scene);
+  const auto boundsOf = [](const Scene& of) {
+    const Simulation simulation(of, findMethod("rk4"));
+    std::vector<float> xyz(27);
+    simulation.copyPositions(xyz);
+    const std::vector<glm::vec3> points = motionBounds(simulation, boxAround(xyz), {}, [] { return 0.0; });
+    return boxAround({&points[0].x, 3 * points.size()});
+  };
+  EXPECT_NEAR(boundsOf(scene).low.y, -0.6, 0.05);
+  scene.bodies[0].at.y = -100;  // farther away than what still leaves the cloth large in the view
+  EXPECT_NEAR(boundsOf(scene).low.y, -1.06, 0.05);
+}
+
 }  // namespace
 }  // namespace tyg::test

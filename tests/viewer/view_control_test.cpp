@@ -115,7 +115,7 @@ ViewControl viewOfASquare() {
   ViewControl view;
   const auto corners = kSquare.corners();
   view.begin({corners.begin(), corners.end()});
-  view.follow(kSquare, false);
+  view.follow(kSquare, {}, false);
   return view;
 }
 
@@ -134,9 +134,24 @@ TEST(ViewControl, FramesWhereAClothWillGetToOnlyBeforeItHasMoved) {
   view.begin({{-5, -5, 0}, {5, 5, 0}});
   view.resize(kWindow, {});
   const float wide = view.camera().distance();
-  view.follow(kSquare, true);
+  view.follow(kSquare, {}, true);
   view.frameCloth();
   EXPECT_LT(view.camera().distance(), 0.5F * wide);
+}
+
+TEST(ViewControl, FramesTheBodiesNearToAClothThatHasMoved) {
+  ViewControl view = viewOfASquare();
+  view.resize(kWindow, {});
+  const std::vector<Body> bodies{{.shape = Shape::Ball, .at = {0, -2, 0}, .radius = 0.5}};
+  const auto lowestSeen = [&](std::span<const Body> shown) {
+    view.follow(kSquare, shown, true);
+    view.frameCloth();
+    const glm::vec4 clip =
+        view.camera().projection(16.0F / 9) * view.camera().view() * glm::vec4(0, -2.5F, 0, 1);  // the ball's lowest
+    return clip.y / clip.w;
+  };
+  EXPECT_LT(lowestSeen({}), -1) << "below the picture";
+  EXPECT_GT(lowestSeen(bodies), -1);
 }
 
 TEST(ViewControl, KeepsThePersonsViewWhenTheWindowChanges) {

@@ -15,6 +15,7 @@
 #include "core/forces/terms/air.h"
 #include "gfx/contexts/offscreen.h"
 #include "gfx/movie.h"
+#include "gfx/picture_texture.h"
 #include "study/limits/stability.h"
 #include "study/motion/telling_moment.h"
 #include "tyg/methods.h"
@@ -22,6 +23,7 @@
 #include "util/file_names.h"
 #include "util/interrupt.h"
 #include "util/whole_file.h"
+#include "view/body_shapes.h"
 #include "view/wind_arrow.h"
 
 namespace tyg {
@@ -30,6 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kFramingPoints = 2000;  // particles that the view is fitted to, at each time
+constexpr int kLargestSmooth = 4096;          // pixels wide and high
 
 bool isFolder(const fs::path& path) {
   std::error_code none;
@@ -45,7 +48,7 @@ Form formOf(const fs::path& out) {
   return ending == ".png" ? Form::Picture : ending == ".mp4" || ending == ".gif" ? Form::Movie : Form::Folder;
 }
 
-/// A simulation that is advanced from picture to picture, and the positions that were last seen.
+/// A simulation that is advanced from picture to picture, and the positions and bodies that were last seen.
 class Motion3d {
  public:
   Motion3d(const Scene& scene, int threads, const std::function<bool(double)>& progress)
@@ -59,22 +62,26 @@ class Motion3d {
   bool reach(double time) {
     if (time > simulation_.time()) simulation_.advanceTo(time);
     simulation_.copyPositions(xyz_);
+    placeBodies(simulation_.scene(), simulation_.time(), bodies_);
     return !interrupted() && simulation_.check() == Status::Ok;
   }
 
   [[nodiscard]] std::span<const float> xyz() const { return xyz_; }
+  [[nodiscard]] std::span<const Body> bodies() const { return bodies_; }
   [[nodiscard]] Simulation& simulation() { return simulation_; }
 
  private:
   Simulation simulation_;
   std::vector<float> xyz_;
+  std::vector<Body> bodies_;
 };
 
 /// Gathers what a still view has to hold.
 class Framing {
  public:
-  void include(std::span<const float> xyz) {
+  void include(std::span<const float> xyz, std::span<const Body> bodies) {
     const Box here = boxAround(xyz);
+    addBodyPoints(bodies, here, points_);
     all_ = all_ ? all_->with(here) : here;
     const std::size_t step = 3 * std::max<std::size_t>(xyz.size() / 3 / kFramingPoints, 1);
     for (std::size_t i = 0; i < xyz.size(); i += step) points_.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
@@ -94,15 +101,24 @@ class Framing {
 /// Draws one sheet off-screen.
 class Studio {
  public:
-  Studio(const Sheet& sheet, const RenderRequest& request)
-      : request_(request), offscreen_(makeOffscreen(request.size.x, request.size.y)), renderer_(sheet) {}
+  Studio(const Sheet& sheet, bool hasBodies, const RenderRequest& request)
+      : request_(request), offscreen_(makeOffscreen(request.size.x, request.size.y)), renderer_(sheet) {
+    if (hasBodies && request.size.x <= kLargestSmooth && request.size.y <= kLargestSmooth) {
+      smooth_ = std::make_unique<PictureTexture>(request.size.x, request.size.y);
+    }
+  }
 
   const Picture& draw(Motion3d& motion, Camera& camera) {
     camera.watch(boxAround(motion.xyz()));
     DrawOptions options = request_.draw;
     options.wind = windNow(motion.simulation(), camera.watched());
-    renderer_.draw(motion.xyz(), camera, request_.size, options, pushNow(motion.simulation()));
-    offscreen_->readPixels(picture_);
+    options.bodies = motion.bodies();
+    const auto draw = [&] {
+      renderer_.draw(motion.xyz(), camera, request_.size, options, pushNow(motion.simulation()));
+    };
+    const auto read = [&] { offscreen_->readPixels(picture_); };
+    smooth_ ? smooth_->draw(draw) : draw();
+    smooth_ ? smooth_->read(read) : read();
     return picture_;
   }
 
@@ -126,15 +142,16 @@ class Studio {
   }
 
   const RenderRequest& request_;
-  std::unique_ptr<Offscreen> offscreen_;  // before the renderer: its objects live in this context
+  std::unique_ptr<Offscreen> offscreen_;    // before the renderer: its objects live in this context
+  std::unique_ptr<PictureTexture> smooth_;  // lines are smooth by themselves, the outlines of bodies are not
   SheetRenderer renderer_;
   Picture picture_;
 };
 
 /// Machines without any OpenGL are told so as for every output that cannot be made.
-Studio openStudio(const Sheet& sheet, const RenderRequest& request) {
+Studio openStudio(const Simulation& simulation, const RenderRequest& request) {
   try {
-    return {sheet, request};
+    return {simulation.sheet(), !simulation.scene().bodies.empty(), request};
   } catch (const std::runtime_error& error) {
     throw InputError(error.what());
   }
@@ -180,10 +197,10 @@ int renderPicture(const Scene& scene, const RenderRequest& request) {
   const double time = request.times.front();
   Progress progress("tyg render " + scene.name);
   Motion3d motion(scene, request.threads, [&](double now) { return progress.show(now / std::max(time, scene.dt)); });
-  Studio studio = openStudio(motion.simulation().sheet(), request);
+  Studio studio = openStudio(motion.simulation(), request);
   if (!motion.reach(time)) return stopped(motion.simulation(), progress);
   Framing framing;
-  framing.include(motion.xyz());
+  framing.include(motion.xyz(), motion.bodies());
   Camera camera = framing.camera(request.size);
   writePng(studio.draw(motion, camera), request.out);
   return kDone;
@@ -194,11 +211,11 @@ int renderSequence(const Scene& scene, const RenderRequest& request) {
   Progress progress("tyg render " + scene.name);
   constexpr double kFirstShare = 0.2;  // of the time that both passes take: drawing is the slower part
   Motion3d scout(scene, request.threads, [&](double now) { return progress.show(kFirstShare * now / end); });
-  Studio studio = openStudio(scout.simulation().sheet(), request);
+  Studio studio = openStudio(scout.simulation(), request);
   Framing framing;
   for (const double time : request.times) {
     if (!scout.reach(time)) return stopped(scout.simulation(), progress);
-    framing.include(scout.xyz());
+    framing.include(scout.xyz(), scout.bodies());
   }
   Camera camera = framing.camera(request.size);
 

@@ -10,6 +10,7 @@
 #include "tyg/simulation.h"
 #include "ui/captions.h"
 #include "util/visible_text.h"
+#include "view/body_shapes.h"
 
 namespace tyg {
 namespace {
@@ -50,6 +51,9 @@ Picture overlaid(const Overlaid& first, const Overlaid& second, double time, con
   for (const std::vector<float>* xyz : {&one, &other}) {
     for (std::size_t i = 0; i < xyz->size(); i += 3) points.emplace_back((*xyz)[i], (*xyz)[i + 1], (*xyz)[i + 2]);
   }
+  std::vector<Body> bodies;
+  placeBodies(first.scene, time, bodies);
+  addBodyPoints(bodies, boxAround(one).with(boxAround(other)), points);
   Camera camera;
   camera.watch(boxAround(one).with(boxAround(other)));
   camera.frame(points, static_cast<float>(size.x) / static_cast<float>(size.y));
@@ -59,6 +63,7 @@ Picture overlaid(const Overlaid& first, const Overlaid& second, double time, con
   DrawOptions draw;
   draw.background = Background::Light;
   draw.pins = false;
+  draw.bodies = bodies;
   draw.mesh = unit(kBlue);
   draw.lineWidth = kWide;
   oneSheet.draw(one, camera, size, draw);

@@ -201,6 +201,8 @@ class RowOfTerms {
         columns_(in.columns),
         hasRowBelow_(in.row + 1 < in.rows) {}
 
+  /// Of the coordinates of the particles along an axis, m.
+  [[nodiscard]] Range<T> range(int axis) const { return rangeOf(position_ + axis * plane_, columns_); }
   /// Sum of what `amount` says of the position and the velocity of each particle.
   template <class Amount>
   [[nodiscard]] TYG_INLINE double sumOverParticles(const Amount& amount) const {

@@ -254,11 +254,44 @@ void accumulateRow(const RowTask<T>& given, int row, bool finish) {
   }
 }
 
-/// A box around places in space, m.
+/// The smallest and the largest of some numbers.
 template <class T>
-struct Bounds {
-  T low[3], high[3];
+struct Range {
+  T low = 0, high = 0;
 };
+
+/// The lanes of the other half, of the other quarter of each half, and so on.
+template <std::size_t half, class Register, std::size_t... lane>
+TYG_INLINE Register halvesSwapped(const Register& a, std::index_sequence<lane...> /*lanes*/) {
+  return __builtin_shufflevector(a, a, (lane ^ half)...);
+}
+template <class T, std::size_t half = std::size_t(kLanes<T>) / 2>
+TYG_INLINE Range<T> rangeOf(const Lanes<T>& lows, const Lanes<T>& highs) {
+  if constexpr (half == 0) {
+    return {lows[0], highs[0]};
+  } else {
+    constexpr std::make_index_sequence<std::size_t(kLanes<T>)> kEach;
+    const Lanes<T> low = halvesSwapped<half>(lows, kEach), high = halvesSwapped<half>(highs, kEach);
+    return rangeOf<T, half / 2>(low < lows ? low : lows, high > highs ? high : highs);
+  }
+}
+
+/// Of `count` numbers, at least one.
+template <class T>
+TYG_INLINE Range<T> rangeOf(const T* numbers, std::ptrdiff_t count) {
+  Range<T> range{numbers[0], numbers[0]};
+  std::ptrdiff_t i = 0;
+  if (count >= kLanes<T>) {
+    Lanes<T> lows = load(numbers), highs = lows;
+    for (i = kLanes<T>; i + kLanes<T> <= count; i += kLanes<T>) {
+      const Lanes<T> here = load(numbers + i);
+      lows = here < lows ? here : lows, highs = here > highs ? here : highs;
+    }
+    range = rangeOf<T>(lows, highs);
+  }
+  for (; i < count; ++i) range = {std::min(range.low, numbers[i]), std::max(range.high, numbers[i])};
+  return range;
+}
 
 /// Particles of one row whose forces are being summed up, as terms of blocks see them.
 template <class T>
@@ -275,28 +308,8 @@ class BlockOfParticles {
         size_(end - begin),
         count_(std::min<std::ptrdiff_t>(size_, task.columns - begin)) {}
 
-  /// Around all particles of the sheet in the block, of which there is at least one.
-  [[nodiscard]] TYG_INLINE Bounds<T> bounds() const {
-    Bounds<T> bounds;
-    for (int axis = 0; axis < 3; ++axis) {
-      const T* x = position_ + axis * plane_;
-      T low = x[0], high = x[0];
-      std::ptrdiff_t i = 0;
-      if (count_ >= kLanes<T>) {
-        Lanes<T> lows = load(x), highs = lows;
-        for (i = kLanes<T>; i + kLanes<T> <= count_; i += kLanes<T>) {
-          const Lanes<T> here = load(x + i);
-          lows = here < lows ? here : lows, highs = here > highs ? here : highs;
-        }
-        for (std::ptrdiff_t lane = 0; lane < kLanes<T>; ++lane) {
-          low = std::min(low, T(lows[lane])), high = std::max(high, T(highs[lane]));
-        }
-      }
-      for (; i < count_; ++i) low = std::min(low, x[i]), high = std::max(high, x[i]);
-      bounds.low[axis] = low, bounds.high[axis] = high;
-    }
-    return bounds;
-  }
+  /// Of the coordinates of all particles of the block along an axis, m.
+  [[nodiscard]] TYG_INLINE Range<T> range(int axis) const { return rangeOf(position_ + axis * plane_, count_); }
   /// Adds what `force` says of the positions and the velocities of particles, and of whether they are free: 1, or 0 for
   /// pinned ones and for places without a particle.
   template <class Force>
@@ -314,8 +327,7 @@ class BlockOfParticles {
 };
 
 template <class T, class BlockTerms>
-void addToBlock(const RowTask<T>& given, int row, std::ptrdiff_t begin, std::ptrdiff_t end) {
-  const RowTask<T> task = given;
+void addToBlock(const RowTask<T>& task, int row, std::ptrdiff_t begin, std::ptrdiff_t end) {
   const BlockOfParticles<T> block(task, row, begin, end);
   BlockTerms::forEach([&]<class Term>() { Term::addToBlock(block, numbersOf<Term>(task)); });
 }

@@ -23,6 +23,11 @@ class RangeCheck {
     for (const double part : {value.x, value.y, value.z}) check(key, part, true, "0 and ");
   }
 
+  [[noreturn]] void refuseNegative(std::string_view key, double value) const {
+    throw InputError(fmt::format("{}{}key {}: found {:g}, allowed are numbers of at least 0", scene_,
+                                 scene_.empty() ? "" : ": ", key, value));
+  }
+
  private:
   void check(std::string_view key, double value, bool isLargeEnough, std::string_view zero) const {
     if (isLargeEnough && std::abs(value) <= kLargestNumber) return;  // false for NaN
@@ -40,6 +45,7 @@ void refuseExtremeParameters(const Scene& scene) {
   for (const ForceTerm* term : forceTerms()) {
     for (const Parameter& parameter : term->parameters) {
       const Vec3 value = parameter.get(scene);
+      if (parameter.allowed != Allowed::Any && value.x < 0) check.refuseNegative(parameter.key, value.x);
       parameter.count == 1 ? check.number(parameter.key, value.x) : check.vector(parameter.key, value);
     }
   }

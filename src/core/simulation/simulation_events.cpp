@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/forces/parameter.h"
+#include "core/scene/bodies.h"
 #include "core/scene/scene_range.h"
 #include "core/simulation/simulation_impl.h"
 #include "util/text.h"
@@ -54,6 +55,7 @@ void Simulation::Impl::perform(const WorldEvent& change, std::span<const Method>
   parameter->set(scene, change.value);
   try {
     refuseExtremeParameters(scene);
+    refuseUnfitBodies(scene);
     backend->useLiveParameters();
   } catch (...) {
     parameter->set(scene, before);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "view/body_shapes.h"
+
 namespace tyg {
 namespace {
 
@@ -33,7 +35,7 @@ Frame makeFrame(std::span<const float> xyz, const Camera& camera, glm::ivec2 pix
           .palette = paletteOf(options.background),
           .pixels = size,
           .view = camera.view(),
-          .projection = camera.projection(size.x / size.y),
+          .projection = camera.projection(size.x / size.y, nearestWith(camera, options.bodies)),
           .depths = depthsOf(camera),
           .focal = size.y / (2 * std::tan(camera.fieldOfView() / 2))};
 }

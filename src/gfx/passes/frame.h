@@ -36,8 +36,8 @@ struct Shading {
   float fade = 0;     ///< how far the farthest part of the cloth goes towards the background's colour, 0..1
   float spacing = 0;  ///< m between neighbours of one kind, which makes dense ones smaller; 0: always full size
 };
-/// The fade of what belongs to the mesh.
-inline constexpr float kMeshFade = 0.62F;
+/// The fade of what belongs to the mesh: less before bodies, from which all of it has to be told.
+inline float meshFade(const DrawOptions& options) { return options.bodies.empty() ? 0.62F : 0.3F; }
 
 /// Uses the program and sets the uniforms that lines and discs have in common.
 void useShaded(const GlProgram& program, const Frame& frame, const Shading& shading);

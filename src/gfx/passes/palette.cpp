@@ -14,7 +14,10 @@ constexpr Palette kDark{.background = rgb(0x14181f),
                         .particle = rgb(0xf2f6fa),
                         .pin = rgb(0xff7a1f),
                         .push = rgb(0xf0e442),
-                        .wind = rgb(0xcc79a7)};
+                        .wind = rgb(0xcc79a7),
+                        .body = rgb(0x857a6e),
+                        .floor = rgb(0x1f232a),
+                        .floorGrid = rgb(0x4a5260)};
 constexpr Palette kLight{.background = rgb(0xf6f7f8),
                          .sky = rgb(0xfafbfc),
                          .ground = rgb(0xeceef0),
@@ -25,7 +28,10 @@ constexpr Palette kLight{.background = rgb(0xf6f7f8),
                          .particle = rgb(0x101418),
                          .pin = rgb(0xd55e00),
                          .push = rgb(0xb0306a),
-                         .wind = rgb(0x7a5fb0)};
+                         .wind = rgb(0x7a5fb0),
+                         .body = rgb(0xdfd3c0),
+                         .floor = rgb(0xe9e7e2),
+                         .floorGrid = rgb(0xb5b1aa)};
 
 }  // namespace
 

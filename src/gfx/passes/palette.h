@@ -13,6 +13,8 @@ namespace tyg {
 struct Palette {
   glm::vec3 background, sky, ground, grid;
   glm::vec3 structural, shear, bend, particle, pin, push, wind;
+  glm::vec3 body;              ///< where the light falls straight on it
+  glm::vec3 floor, floorGrid;  ///< of planes
 };
 const Palette& paletteOf(Background background);
 

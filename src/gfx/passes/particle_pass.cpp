@@ -14,7 +14,7 @@ void ParticlePass::draw(const Frame& frame) {
   glBindVertexArray(canvas_.positions.vertices());
   const bool alone = sheet.count() == 1 && frame.options.structural;  // without a line by which it would be seen
   if (frame.options.particles || alone) {
-    const Shading shading{frame.palette.particle, kMeshFade, static_cast<float>(sheet.spacing)};
+    const Shading shading{frame.palette.particle, meshFade(frame.options), static_cast<float>(sheet.spacing)};
     canvas_.discs.use(frame, {.shading = shading, .diameter = 5, .least = 1.5F});
     glDrawArrays(GL_POINTS, 0, sheet.count());
   }

@@ -6,7 +6,9 @@
 
 #include <stdexcept>
 
+#include "gfx/passes/body_pass.h"
 #include "gfx/passes/particle_pass.h"
+#include "gfx/passes/plane_pass.h"
 #include "gfx/passes/push_pass.h"
 #include "gfx/passes/spring_pass.h"
 #include "gfx/passes/surroundings_pass.h"
@@ -23,7 +25,8 @@ std::unique_ptr<Pass> make(const Canvas& canvas) {
 
 /// In the order in which they draw.
 constexpr std::unique_ptr<Pass> (*kPasses[])(const Canvas& canvas){
-    make<SurroundingsPass>, make<SpringPass>, make<ParticlePass>, make<PushPass>, make<WindPass>,
+    make<SurroundingsPass>, make<PlanePass>, make<BodyPass>, make<SpringPass>,
+    make<ParticlePass>,     make<PushPass>,  make<WindPass>,
 };
 
 std::unique_ptr<const Canvas> makeCanvas(const Sheet& sheet) {

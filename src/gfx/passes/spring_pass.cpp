@@ -16,7 +16,7 @@ void SpringPass::draw(const Frame& frame) {
   const DrawOptions& options = frame.options;
   const bool coloured = options.colouring.by != Colouring::By::Family && uploadValues(options.colouring);
   LineStyle style{.shading = {.colour = {},
-                              .fade = coloured ? kColouredFade : kMeshFade,
+                              .fade = coloured ? kColouredFade : meshFade(options),
                               .spacing = static_cast<float>(canvas_.sheet.spacing)},
                   .width = kThinner * options.lineWidth,
                   .opacity = options.opacity,

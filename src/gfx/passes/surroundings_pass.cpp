@@ -1,6 +1,7 @@
 // One triangle that covers the picture; its shader meets the ground along each pixel's line of sight.
 #include "gfx/passes/surroundings_pass.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "view/round_step.h"
@@ -16,6 +17,13 @@ glm::vec2 middleOnGround(const Sheet& sheet) {
   return {static_cast<float>(first.x + last.x) / 2, static_cast<float>(first.z + last.z) / 2};
 }
 
+/// A plane that one may take for the ground has a grid of its own.
+bool hasFloor(std::span<const Body> bodies) {
+  constexpr double kNearlyLevel = 0.99;
+  return std::ranges::any_of(
+      bodies, [](const Body& body) { return body.shape == Shape::Plane && body.normal.y > kNearlyLevel; });
+}
+
 }  // namespace
 
 void SurroundingsPass::draw(const Frame& frame) {
@@ -28,7 +36,7 @@ void SurroundingsPass::draw(const Frame& frame) {
   program_.set("upward", slope * camera.up());
   program_.set("sky", frame.palette.sky);
   program_.set("ground", frame.palette.ground);
-  program_.set("grid", frame.palette.grid);
+  program_.set("grid", hasFloor(frame.options.bodies) ? frame.palette.ground : frame.palette.grid);
   program_.set("eye", camera.eye());
   program_.set("height", groundHeight(sheet_));
   program_.set("cell", static_cast<float>(roundStep(sheet_.size() / 4)));

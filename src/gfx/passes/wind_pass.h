@@ -2,21 +2,20 @@
 // Must not know: what the wind does to the cloth, where it comes from.
 #pragma once
 
-#include "gfx/gl_objects.h"
 #include "gfx/passes/pass.h"
+#include "gfx/passes/solid_mesh.h"
+#include "view/wind_arrow.h"
 
 namespace tyg {
 
 class WindPass final : public Pass {
  public:
-  explicit WindPass(const Canvas& canvas);
+  explicit WindPass(const Canvas& /*canvas*/) {}
   void draw(const Frame& frame) override;
 
  private:
   GlProgram program_{"solid"};
-  GlVertexArray vertices_;
-  GlBuffer buffer_;
-  GLsizei count_ = 0;
+  SolidMesh arrow_{arrowSolid()};
 };
 
 }  // namespace tyg

@@ -254,12 +254,15 @@ class ControlPanel final : public Panel {
     const std::string format = fmt::format("%.{}g{}{}", parameter.digits, unit.empty() ? "" : " ", unit);
     Vec3 value = parameter.get(wanted);
     if (parameter.count == 1) {
-      if (slider(id.c_str(), value.x, 1, {0, parameter.mostByHand}, format.c_str())) parameter.set(wanted, value);
+      constexpr double kLeastShare = 1e-5;  // of the largest number, where 0 is none
+      const double least = parameter.allowed == Allowed::Positive ? kLeastShare * parameter.mostByHand : 0;
+      if (slider(id.c_str(), value.x, 1, {least, parameter.mostByHand}, format.c_str())) parameter.set(wanted, value);
       return;
     }
     std::array<double, 3> xyz{value.x, value.y, value.z};
     const double least = -parameter.mostByHand;
-    if (ImGui::DragScalarN(id.c_str(), ImGuiDataType_Double, xyz.data(), 3, 0.05F, &least, &parameter.mostByHand,
+    const auto perPixel = float(parameter.mostByHand / 2000);
+    if (ImGui::DragScalarN(id.c_str(), ImGuiDataType_Double, xyz.data(), 3, perPixel, &least, &parameter.mostByHand,
                            format.c_str(), ImGuiSliderFlags_AlwaysClamp)) {
       parameter.set(wanted, {xyz[0], xyz[1], xyz[2]});
     }
@@ -272,10 +275,12 @@ class ControlPanel final : public Panel {
       const bool isThere = hasTerm(wanted, *term);
       for (const Parameter& parameter : term->parameters) {
         if (!isThere && !parameter.decidesPresence) continue;
+        if (parameter.exists != nullptr && !parameter.exists(wanted)) continue;
         const bool acts = parameter.acts == nullptr || parameter.acts(wanted);
         if (!acts) ImGui::BeginDisabled();
         if (parameter.isSpeed) drawSpeed(scope, parameter, wanted);
-        name(parameter.isSpeed ? "" : std::string(parameter.label).c_str(), scope.size);
+        const std::string_view called = parameter.nameIn != nullptr ? parameter.nameIn(wanted) : "";
+        name(parameter.isSpeed ? "" : std::string(called.empty() ? parameter.label : called).c_str(), scope.size);
         field(parameter, unitText(parameter.unit), wanted);
         if (parameter.count == 3) tip(scope, "along x, y (up) and z");
         if (!acts) ImGui::EndDisabled();

@@ -64,6 +64,7 @@ class GhostPanel final : public Panel {
     if (!ghost_ || !inStep_) return;
     picture.ghost = beside_ ? std::span<const float>(shifted_) : ghost_->positions();
     picture.ghostOpacity = beside_ ? 1 : kOpacity;
+    if (beside_) picture.ghostShift = way_;
     if (!colours()) return;
     top_ = steadyTop(top_, ghost_->gap()->largest);
     picture.options.colouring = {.by = Colouring::By::Particle,
@@ -91,10 +92,10 @@ class GhostPanel final : public Panel {
  private:
   /// To the left, as the camera sees it.
   void shift(const Viewer& viewer) {
-    const glm::vec3 way = -away_ * viewer.view().camera().right();
+    way_ = -away_ * viewer.view().camera().right();
     const std::span<const float> from = ghost_->positions();
     shifted_.resize(from.size());
-    for (std::size_t i = 0; i < from.size(); ++i) shifted_[i] = from[i] + way[static_cast<int>(i % 3)];
+    for (std::size_t i = 0; i < from.size(); ++i) shifted_[i] = from[i] + way_[static_cast<int>(i % 3)];
   }
 
   void choose() {
@@ -151,6 +152,7 @@ class GhostPanel final : public Panel {
   bool beside_ = false, coloured_ = true;
   bool inStep_ = false;         ///< or nearly
   float away_ = 0;              ///< m, from the cloth to a ghost beside it
+  glm::vec3 way_{0};            ///< m, the same as a vector
   std::vector<float> shifted_;  ///< the ghost's positions, beside the cloth
   double top_ = 0;              ///< m, at the end of the colours
 };

@@ -32,6 +32,7 @@ struct ClothPicture {
   DrawOptions options;
   std::span<const float> ghost{};  ///< x, y, z of a second cloth of the same sheet, m; any other count: none
   float ghostOpacity = 1;          ///< 0..1
+  glm::vec3 ghostShift{0};         ///< m, from the cloth's place to the ghost's, where it is shown beside the cloth
 };
 
 /// A panel lives from its first opening to the end of the program, and keeps its state while closed.

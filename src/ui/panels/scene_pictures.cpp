@@ -7,6 +7,7 @@
 #include "gfx/passes/sheet_renderer.h"
 #include "study/motion/telling_moment.h"
 #include "tyg/methods.h"
+#include "view/body_shapes.h"
 #include "view/box.h"
 #include "view/camera.h"
 
@@ -51,13 +52,18 @@ void ScenePictures::simulate(Entry& entry, double deadline, const Clock& clock) 
   }
   Simulation& simulation = *entry.simulation;
   const double moment = tellingMoment(entry.scene);
+  const auto keep = [&] {
+    if (simulation.status() != Status::Ok) return;
+    simulation.copyPositions(entry.xyz);
+    entry.time = simulation.time();
+  };
   simulation.observe([&] {
-    if (simulation.status() == Status::Ok) simulation.copyPositions(entry.xyz);
+    keep();
     return clock() < deadline;
   });
   simulation.advanceTo(moment);
   simulation.observe({});
-  if (simulation.status() == Status::Ok) simulation.copyPositions(entry.xyz);
+  keep();
   entry.simulated = simulation.status() != Status::Ok || simulation.time() >= moment * (1 - 1e-9);
   if (entry.simulated) entry.simulation.reset();
 }
@@ -67,10 +73,16 @@ void ScenePictures::draw(Entry& entry, Background background) const {
   Camera camera;
   const Box box = boxAround(entry.xyz);
   camera.watch(box);
-  camera.frame(box, static_cast<float>(width_) / static_cast<float>(height_));
+  std::vector<Body> bodies;
+  placeBodies(entry.scene, entry.time, bodies);
+  const auto corners = box.corners();
+  std::vector<glm::vec3> points(corners.begin(), corners.end());
+  addBodyPoints(bodies, box, points);
+  camera.frame(points, static_cast<float>(width_) / static_cast<float>(height_));
   SheetRenderer renderer(makeSheet(entry.scene));
   DrawOptions options;
   options.background = background;
+  options.bodies = bodies;
   entry.picture->draw([&] { renderer.draw(entry.xyz, camera, {width_, height_}, options); });
   entry.drawnOn = background;
 }

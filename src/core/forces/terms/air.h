@@ -61,10 +61,12 @@ struct AirTerm {
   [[gnu::always_inline]] static OnCell<Vector> onCell(const Math& math, const Corners<Vector>& x,
                                                       const Corners<Vector>& v, const Numbers<T>& numbers) {
     const auto quarter = math.all(T(0.25));
-    const Vector centre = quarter * ((x.here + x.right) + (x.below + x.belowRight));
     Vector wind = math.all3(numbers.steady);
-    for (const Gusts<T>* gusts = numbers.firstGusts; gusts != numbers.endGusts; ++gusts) {
-      wind = wind + gustOf(math, *gusts, centre);
+    if (numbers.firstGusts != numbers.endGusts) {
+      const Vector centre = quarter * ((x.here + x.right) + (x.below + x.belowRight));
+      for (const Gusts<T>* gusts = numbers.firstGusts; gusts != numbers.endGusts; ++gusts) {
+        wind = wind + gustOf(math, *gusts, centre);
+      }
     }
     const Vector past = wind - quarter * ((v.here + v.right) + (v.below + v.belowRight));
     const Vector twiceArea = math.cross(x.belowRight - x.here, x.below - x.right);

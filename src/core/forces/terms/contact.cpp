@@ -29,6 +29,7 @@ constexpr Parameter parameterOf(std::string_view key, std::string_view label, st
                 if (isThere(scene)) scene.contact.*number = value.x;
               },
           .decidesPresence = false,
+          .exists = isThere,
           .digits = 3};
 }
 
@@ -46,7 +47,10 @@ constexpr Parameter placeParameter(std::string_view key, std::string_view label)
                 if (body < scene.bodies.size()) scene.bodies[body].at = value;
               },
           .decidesPresence = false,
-          .acts = [](const Scene& scene) { return body < scene.bodies.size(); },
+          .exists = [](const Scene& scene) { return body < scene.bodies.size(); },
+          .nameIn = [](const Scene& scene) -> std::string_view {
+            return body < scene.bodies.size() ? std::string_view(scene.bodies[body].name) : std::string_view();
+          },
           .ofList = true,
           .mostByHand = 10,
           .digits = 3};
@@ -64,7 +68,7 @@ constexpr std::array<Parameter, 11> parameters() {
   friction.allowed = Allowed::NotNegative, friction.role = Role::Damping, friction.mostByHand = 2;
   Parameter grip = parameterOf<&Contact::grip>("contact.grip", "grip", "N s/m");
   grip.isShareOfSheet = true, grip.mostByHand = 100;
-  grip.acts = [](const Scene& scene) { return isThere(scene) && scene.contact.friction > 0; };
+  grip.acts = [](const Scene& scene) { return scene.contact.friction > 0; };
   return {stiffness,
           layer,
           damping,
@@ -140,7 +144,8 @@ void ContactTerm::setMoment(const Scene& scene, const Acting& acting, double tim
     const Vec3& axis = body.axis;
     if (body.shape == Shape::Plane) {
       put(body.normal, solid.axis);
-      solid.radius = T(gapOf(scene, body));
+      const Vec3 at = sum(sum(body.at, 1, motion.offset), time, motion.velocity), &normal = body.normal;
+      solid.radius = T((at.x * normal.x + at.y * normal.y + at.z * normal.z) + gapOf(scene, body));
     } else if (body.shape == Shape::Capsule) {
       put(axis, solid.axis);
       solid.perSquare = T(1 / (axis.x * axis.x + axis.y * axis.y + axis.z * axis.z));

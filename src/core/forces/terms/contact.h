@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/forces/acting.h"
@@ -33,7 +34,7 @@ struct ContactTerm {
     T at[3] = {};        ///< m
     T axis[3] = {};      ///< of a plane: its normal; of a capsule: as Body has it, m; of a box: half of its core, m
     T perSquare = 0;     ///< of a capsule: 1 / |axis|^2, 1/m2
-    T radius = 0;        ///< m; of a plane the gap
+    T radius = 0;        ///< m; of a plane its distance from the origin along the normal
     T velocity[3] = {};  ///< m/s
   };
   template <class T>
@@ -73,18 +74,20 @@ struct ContactTerm {
   };
   template <Shape shape, class Math, class Vector, class T>
   [[gnu::always_inline]] static auto depthOf(const Math& math, const Solid<T>& solid, const Vector& place) {
-    const Vector from = place - math.all3(solid.at);
     if constexpr (shape == Shape::Plane) {
       const Vector normal = math.all3(solid.axis);
-      return Depth<decltype(math.all(T(0))), Vector>{math.all(solid.radius) - math.dot(from, normal), normal};
-    } else if constexpr (shape == Shape::Box) {
-      return depthInBox(math, solid, from);
-    } else if constexpr (shape == Shape::Capsule) {
-      const Vector axis = math.all3(solid.axis);
-      const auto along = clamped(math, math.all(solid.perSquare) * math.dot(from, axis));
-      return depthInBall(math, solid, from - along * axis);
+      return Depth<decltype(math.all(T(0))), Vector>{math.all(solid.radius) - math.dot(place, normal), normal};
     } else {
-      return depthInBall(math, solid, from);
+      const Vector from = place - math.all3(solid.at);
+      if constexpr (shape == Shape::Box) {
+        return depthInBox(math, solid, from);
+      } else if constexpr (shape == Shape::Capsule) {
+        const Vector axis = math.all3(solid.axis);
+        const auto along = clamped(math, math.all(solid.perSquare) * math.dot(from, axis));
+        return depthInBall(math, solid, from - along * axis);
+      } else {
+        return depthInBall(math, solid, from);
+      }
     }
   }
 
@@ -123,6 +126,23 @@ struct ContactTerm {
     }
     return touch;
   }
+  /// The force of a level plane, whose normal points straight up or down: what touchOf() says, with nothing to project.
+  template <bool rubs, class Vector, class Math, class Number, class T>
+  [[gnu::always_inline]] static Vector forceOfFloor(const Math& math, const Solid<T>& solid, const Vector& place,
+                                                    const Vector& velocity, const Number& isFree,
+                                                    const Numbers<T>& numbers) {
+    const Number up = math.all(solid.axis[1]);
+    const Number s = isFree * stepOf(math, math.all(numbers.perLayer) * (math.all(solid.radius) - up * place.y));
+    const Vector relative = velocity - math.all3(solid.velocity);
+    const Number push = math.all(numbers.force) * s;
+    const Number damping = math.all(numbers.damping) * (s / (s + math.all(T(0.5))));
+    const Number along = up * push - damping * relative.y;
+    if constexpr (!rubs) return {math.all(0), along, math.all(0)};
+    const Number slow = math.all(numbers.slip) * push;
+    const Number squared = relative.x * relative.x + relative.z * relative.z + slow * slow + math.all(kTinySpeed<T>);
+    const Number friction = math.all(numbers.friction) * push / math.root(squared);
+    return {-(friction * relative.x), along, -(friction * relative.z)};
+  }
   /// The stiffness of a body's push, which pushes to the depth `below`, N/m.
   template <class Math, class Number, class T>
   static Number stiffnessAt(const Math& math, const Number& below, const Numbers<T>& numbers) {
@@ -134,30 +154,31 @@ struct ContactTerm {
   /// what bits that changes does not depend on the vectors' width, since blocks do not.
   template <class Block, class T>
   static void addToBlock(const Block& block, const Numbers<T>& numbers) {
-    const auto bounds = block.bounds();
-    for (const Solid<T>* solid = numbers.firstSolid; solid != numbers.endSolid; ++solid) {
-      if (!reaches(*solid, bounds.low, bounds.high)) continue;
-      withShape(*solid, numbers, [&]<Shape shape, bool rubs>() {
-        const auto math = block.math();
-        block.add([&](const auto& place, const auto& velocity, const auto& isFree) {
-          return touchOf<shape, rubs>(math, *solid, place, velocity, isFree, numbers).force();
+    forReached(block, numbers, [&]<Shape shape, bool rubs>(const Solid<T>& reached) {
+      const auto math = block.math();
+      const Numbers<T> known = numbers;  // on the stack, where no store can alias them
+      const Solid<T> solid = reached;
+      if (shape == Shape::Plane && solid.axis[0] == 0 && solid.axis[2] == 0) {
+        return block.add([&]<class Vector>(const Vector& place, const Vector& velocity, const auto& isFree) {
+          return forceOfFloor<rubs, Vector>(math, solid, place, velocity, isFree, known);
         });
+      }
+      block.add([&](const auto& place, const auto& velocity, const auto& isFree) {
+        return touchOf<shape, rubs>(math, solid, place, velocity, isFree, known).force();
       });
-    }
+    });
   }
 
   /// Energy of the particles of one row, J.
   template <class Row>
   static double storedIn(const Row& row, const Numbers<double>& numbers) {
     double sum = 0;
-    for (const Solid<double>* solid = numbers.firstSolid; solid != numbers.endSolid; ++solid) {
-      withShape(*solid, numbers, [&]<Shape shape, bool>() {
-        const auto math = row.math();
-        sum += row.sumOverFree([&](const auto& place, const auto& /*velocity*/, const auto& isFree) {
-          return isFree * potentialOf(math, math.all(numbers.perLayer) * depthOf<shape>(math, *solid, place).below);
-        });
+    forReached(row, numbers, [&]<Shape shape, bool>(const Solid<double>& solid) {
+      const auto math = row.math();
+      sum += row.sumOverFree([&](const auto& place, const auto& /*velocity*/, const auto& isFree) {
+        return isFree * potentialOf(math, math.all(numbers.perLayer) * depthOf<shape>(math, solid, place).below);
       });
-    }
+    });
     return numbers.force * numbers.layer * sum;
   }
 
@@ -165,18 +186,16 @@ struct ContactTerm {
   template <class Row>
   static std::array<double, 2> powersIn(const Row& row, const Numbers<double>& numbers) {
     std::array<double, 2> powers{};
-    for (const Solid<double>* solid = numbers.firstSolid; solid != numbers.endSolid; ++solid) {
-      withShape(*solid, numbers, [&]<Shape shape, bool rubs>() {
-        const auto math = row.math();
-        const auto [lost, brought] = row.sumsOverFree([&](const auto& place, const auto& velocity, const auto& isFree) {
-          const auto touch = touchOf<shape, rubs>(math, *solid, place, velocity, isFree, numbers);
-          return std::array{
-              touch.damping * touch.approach * touch.approach + touch.friction * math.dot(touch.slip, touch.slip),
-              math.dot(touch.force(), math.all3(solid->velocity))};
-        });
-        powers[0] += lost, powers[1] += brought;
+    forReached(row, numbers, [&]<Shape shape, bool rubs>(const Solid<double>& solid) {
+      const auto math = row.math();
+      const auto [lost, brought] = row.sumsOverFree([&](const auto& place, const auto& velocity, const auto& isFree) {
+        const auto touch = touchOf<shape, rubs>(math, solid, place, velocity, isFree, numbers);
+        return std::array{
+            touch.damping * touch.approach * touch.approach + touch.friction * math.dot(touch.slip, touch.slip),
+            math.dot(touch.force(), math.all3(solid.velocity))};
       });
-    }
+      powers[0] += lost, powers[1] += brought;
+    });
     return powers;
   }
 
@@ -242,9 +261,52 @@ struct ContactTerm {
                                  (one / distance) * past + face};
   }
 
-  /// Whether a body reaches into a box of places.
-  template <class T>
-  static bool reaches(const Solid<T>& solid, const T (&low)[3], const T (&high)[3]);
+  /// The ranges of a block along each axis, worked out when they are asked for: upwards alone mostly tells enough.
+  template <class Block>
+  class RangesOf {
+   public:
+    explicit RangesOf(const Block& block) : block_(block) {}
+    const auto& along(int axis) {
+      if (!isKnown_[axis]) ranges_[axis] = block_.range(axis);
+      isKnown_[axis] = true;
+      return ranges_[axis];
+    }
+
+   private:
+    const Block& block_;
+    bool isKnown_[3] = {};
+    decltype(std::declval<const Block&>().range(0)) ranges_[3];
+  };
+  /// Whether a body reaches into the box of these ranges.
+  template <class T, class Ranges>
+  static bool reaches(const Solid<T>& solid, Ranges& ranges) {
+    constexpr int kUpwardsFirst[] = {1, 0, 2};
+    T lowest = -solid.radius;  // of a plane: how far above it the box begins
+    for (const int axis : kUpwardsFirst) {
+      const T at = solid.at[axis], along = solid.axis[axis];
+      if (solid.shape == Shape::Plane) {
+        if (along != 0) lowest += along * (along > 0 ? ranges.along(axis).low : ranges.along(axis).high);
+        continue;
+      }
+      T first = at, last = at;
+      if (solid.shape == Shape::Box) first -= along, last += along;
+      if (solid.shape == Shape::Capsule) (along < 0 ? first : last) += along;
+      const auto& range = ranges.along(axis);
+      if (!(range.low < last + solid.radius && range.high > first - solid.radius)) return false;
+    }
+    return solid.shape != Shape::Plane || lowest < 0;
+  }
+
+  /// Calls `visit.operator()<shape, rubs>(solid)` for each body that reaches the particles.
+  template <class Particles, class T, class Visit>
+  [[gnu::always_inline]] static void forReached(const Particles& particles, const Numbers<T>& numbers,
+                                                const Visit& visit) {
+    RangesOf<Particles> ranges(particles);
+    for (const Solid<T>* solid = numbers.firstSolid; solid != numbers.endSolid; ++solid) {
+      if (!reaches(*solid, ranges)) continue;
+      withShape(*solid, numbers, [&]<Shape shape, bool rubs>() { visit.template operator()<shape, rubs>(*solid); });
+    }
+  }
 
   template <class T, class Visit>
   [[gnu::always_inline]] static void withShape(const Solid<T>& solid, const Numbers<T>& numbers, const Visit& visit) {
@@ -263,22 +325,6 @@ struct ContactTerm {
     }
   }
 };
-
-template <class T>
-bool ContactTerm::reaches(const Solid<T>& solid, const T (&low)[3], const T (&high)[3]) {
-  if (solid.shape == Shape::Plane) {
-    T lowest = 0;  // along the normal
-    for (int k = 0; k < 3; ++k) lowest += solid.axis[k] * ((solid.axis[k] > 0 ? low[k] : high[k]) - solid.at[k]);
-    return lowest < solid.radius;
-  }
-  for (int k = 0; k < 3; ++k) {
-    T first = solid.at[k], last = solid.at[k];
-    if (solid.shape == Shape::Box) first -= solid.axis[k], last += solid.axis[k];
-    if (solid.shape == Shape::Capsule) (solid.axis[k] < 0 ? first : last) += solid.axis[k];
-    if (!(low[k] < last + solid.radius && high[k] > first - solid.radius)) return false;
-  }
-  return true;
-}
 
 /// Where a body of the scene is at a time (s), m, for people to see: Body::at with its motions.
 Vec3 placeOf(const Scene& scene, std::size_t body, double time);
