@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/forces/term.h"
+#include "core/scene/bodies.h"
 #include "core/spectrum/rest_spectrum.h"
 #include "integrators/chebyshev_table.h"
 
@@ -61,7 +62,8 @@ void addLeastDamped(const Scene& scene, std::vector<Mode>& modes) {
   }
 }
 
-/// Adds what becomes of each mode, and of a resting particle, where something holds all particles.
+/// Adds what becomes of each mode, and of a resting particle, where something holds all particles: with its full
+/// damping, and with the half of it that contact has where its stiffness has just become whole.
 void addHeld(const Scene& scene, std::vector<Mode>& modes) {
   const auto [term, hold] = holdingTerm(scene);
   if (term == nullptr) return;
@@ -69,7 +71,9 @@ void addHeld(const Scene& scene, std::vector<Mode>& modes) {
   modes.push_back({0, 0});
   for (std::size_t k = 0, count = modes.size(); k < count; ++k) {
     const auto [w2, d] = modes[k];
-    modes.push_back({w2 + perMass * hold.stiffness, d + perMass * hold.damping});
+    for (const double share : {0.5, 1.0}) {
+      modes.push_back({w2 + perMass * hold.stiffness, d + share * perMass * hold.damping});
+    }
     if (hold.across > 0) modes.push_back({w2, d + perMass * hold.across});
   }
 }
@@ -97,7 +101,7 @@ Complex chebyshevGrowth(const ChebyshevStages& stages, Complex z) { return growt
 
 std::vector<Mode> chebyshevModes(const Scene& scene) {
   constexpr int kIntervals = 24;  // of the grid of phases, an axis
-  const Lattice lattice(scene);
+  const Lattice lattice(withoutBodies(scene));
   std::vector<Mode> all;
   lattice.forWaves(kIntervals, [&](double qx, double qy) {
     const std::array<Mode, 5> modes = lattice.modes(qx, qy);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/forces/terms/contact.h"
 #include "core/scene/bodies.h"
 #include "core/simulation/simulation_impl.h"
 
@@ -66,6 +67,7 @@ void Simulation::Impl::switchWhatActs() {
     run.pins.switchAt(scene, sheet, now(), *backend);
     applyTimetable();
     checkSupply();
+    followPower();
     changes = true;
   }
   if (changes) backend->reset();
@@ -86,6 +88,7 @@ void Simulation::Impl::finishSteps(double h, int count, double timeAfter) {
   const Power power = keepsTheBalance ? backend->power(timeAfter) : powerToSupply();
   run.supply.check(power, timeAfter, backend->energyOfPower());
   run.energies.lose(keepsTheBalance ? power.lost : 0, timeAfter);
+  run.largestSpeed = std::max(run.largestSpeed, approach());
   run.energies.check(sample(power));
   askObserver();
 }
@@ -99,6 +102,22 @@ void Simulation::Impl::advance(std::int64_t steps, StepTimes times, double end) 
     times.first += some;
     finishSteps(times.h, int(some), done == steps ? end : times.at(0));
   }
+}
+
+bool Simulation::Impl::bodiesMove() const {
+  return std::ranges::any_of(scene.bodies, [&](const Body& body) {
+    return motionOf(scene, body, run.clock.time(), now().sameTime).velocity != Vec3{};
+  });
+}
+
+double Simulation::Impl::approach() const {
+  if (scene.bodies.empty()) return 0;
+  double ofBodies = 0;
+  for (const Body& body : scene.bodies) {
+    const Vec3 velocity = motionOf(scene, body, run.clock.time(), now().sameTime).velocity;
+    ofBodies = std::max(ofBodies, std::hypot(velocity.x, velocity.y, velocity.z));
+  }
+  return backend->largestSpeed() + ofBodies;
 }
 
 /// How long a step of the method's own choice may be without leaping over a body, s.
