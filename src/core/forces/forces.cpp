@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <thread>
 #include <utility>
 #include <vector>
 
+#include "core/forces/progress.h"
 #include "core/forces/row_kernel.h"
 #include "core/forces/term.h"
 #include "util/workers.h"
@@ -72,18 +71,6 @@ AlignedVector<T> maskOfFree(const Layout& layout, const Sheet& sheet) {
   for (const int pin : sheet.pins) mask[static_cast<std::size_t>(layout.at(pin))] = T(0);
   return mask;
 }
-
-/// How far a group of steps has come, alone on its cache line.
-struct alignas(64) Progress {
-  std::atomic<int> rows{0};
-
-  /// Another thread works on it right now: spinning is short, and gives way where threads share cores.
-  void await(int wanted) const {
-    for (int spin = 0; rows.load(std::memory_order_acquire) < wanted; ++spin) {
-      if (spin > 1000) std::this_thread::yield();
-    }
-  }
-};
 
 constexpr int kGroup = 4;
 

@@ -144,8 +144,9 @@ void completeContact(const SceneTable& root, Scene& scene) {
 
 /// What a scene file says of contact besides its parameters.
 void readGap(SceneTable& table, Contact& contact) {
-  if (!table.has("gap")) return;
-  table.number("gap", contact.gap.emplace(0), Allowed::NotNegative);
+  double gap = 0;
+  table.number("gap", gap, Allowed::NotNegative);
+  if (table.has("gap")) contact.gap = gap;
 }
 
 void readTerms(SceneTable table, std::string_view name, Scene& scene) {
