@@ -151,10 +151,10 @@ void readGap(SceneTable& table, Contact& contact) {
 
 void readTerms(SceneTable table, std::string_view name, Scene& scene) {
   if (name == kSpringsTable) table.choice("damping", scene.damping, {"relative", "axial"});
-  if (name == kContactTable) readGap(table, scene.contact);
   for (const ForceTerm* term : forceTerms()) {
     if (partsOf(term->parameters.front().key).table == name) readTerm(table, *term, scene);
   }
+  if (name == kContactTable) readGap(table, scene.contact);
   table.finish();
   for (const Parameter& parameter : liveParameters()) {
     const auto [outer, inner, key] = partsOf(parameter.key);
