@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <thread>
 #include <utility>
 #include <vector>
 
-#include "core/forces/progress.h"
+#include "core/forces/masks.h"
 #include "core/forces/row_kernel.h"
 #include "core/forces/term.h"
 #include "util/workers.h"
@@ -54,23 +56,17 @@ void setMoment(AllTerms::Numbers<T>& numbers, AllTerms::Moment<T>& moments, cons
   });
 }
 
-/// 1 for every column that has a neighbour `distance` to the right.
-template <class T>
-AlignedVector<T> columnMask(const Layout& layout, int distance) {
-  AlignedVector<T> mask(static_cast<std::size_t>(layout.stride));
-  for (int column = 0; column + distance < layout.columns; ++column) mask[static_cast<std::size_t>(column)] = T(1);
-  return mask;
-}
+/// How far a group of steps has come, alone on its cache line.
+struct alignas(64) Progress {
+  std::atomic<int> rows{0};
 
-/// 1 for every particle of the sheet that is not pinned.
-template <class T>
-AlignedVector<T> maskOfFree(const Layout& layout, const Sheet& sheet) {
-  AlignedVector<T> mask(static_cast<std::size_t>(layout.plane));
-  for (int particle = 0; particle < sheet.count(); ++particle)
-    mask[static_cast<std::size_t>(layout.at(particle))] = T(1);
-  for (const int pin : sheet.pins) mask[static_cast<std::size_t>(layout.at(pin))] = T(0);
-  return mask;
-}
+  /// Another thread works on it right now: spinning is short, and gives way where threads share cores.
+  void await(int wanted) const {
+    for (int spin = 0; rows.load(std::memory_order_acquire) < wanted; ++spin) {
+      if (spin > 1000) std::this_thread::yield();
+    }
+  }
+};
 
 constexpr int kGroup = 4;
 

@@ -57,12 +57,12 @@ constexpr Parameter placeParameter(std::string_view key, std::string_view label)
 }
 
 constexpr std::array<Parameter, 11> parameters() {
-  Parameter stiffness = parameterOf<&Contact::stiffness>("contact.stiffness", "contact stiffness", "N/m");
+  Parameter stiffness = parameterOf<&Contact::stiffness>("contact.stiffness", "contact", "N/m");
   stiffness.role = Role::Stiffness, stiffness.decidesPresence = true, stiffness.isShareOfSheet = true;
   stiffness.mostByHand = 1e5, stiffness.digits = 4;
-  Parameter layer = parameterOf<&Contact::layer>("contact.layer", "contact layer", "m");
+  Parameter layer = parameterOf<&Contact::layer>("contact.layer", "layer", "m");
   layer.mostByHand = 0.1;
-  Parameter damping = parameterOf<&Contact::damping>("contact.damping", "contact damping", "1");
+  Parameter damping = parameterOf<&Contact::damping>("contact.damping", "damping", "1");
   damping.allowed = Allowed::NotNegative, damping.role = Role::Damping, damping.mostByHand = 3;
   Parameter friction = parameterOf<&Contact::friction>("contact.friction", "friction", "1");
   friction.allowed = Allowed::NotNegative, friction.role = Role::Damping, friction.mostByHand = 2;
