@@ -22,7 +22,9 @@ double hundredthStretch(const Scene& scene, const Sheet& sheet) {
 }  // namespace
 
 void Alarm::lose(double power, double time) {
-  lost_ = lost_ * (1 - 1 / kMemory) + std::min(power, lastPower_) * (time - lastTime_);
+  const double explained = std::max(0.0, flowedBefore_);
+  lost_ -= std::max(0.0, lost_ - explained) / kMemory;
+  lost_ += std::min(power, lastPower_) * (time - lastTime_);
   flowedLately_ *= 1 - 1 / kMemory;
   lastPower_ = power, lastTime_ = time;
   lossIsPresent_ = true;
