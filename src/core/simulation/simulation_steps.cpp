@@ -6,7 +6,6 @@
 #include <limits>
 #include <optional>
 
-#include "core/forces/term.h"
 #include "core/forces/terms/contact.h"
 #include "core/scene/bodies.h"
 #include "core/simulation/simulation_impl.h"
@@ -128,8 +127,7 @@ double Simulation::Impl::longestFreeStep() const {
   for (const Move& move : scene.moves) {
     if (!move.body.empty()) speed += std::hypot(move.velocity.x, move.velocity.y, move.velocity.z);
   }
-  const Vec3 steady = steadyForce(scene);
-  return stepThatMeetsBodies(scene, speed, std::hypot(steady.x, steady.y, steady.z) / sheet.particleMass);
+  return stepThatMeetsBodies(scene, speed, run.pushes.largestForce(scene) / sheet.particleMass);
 }
 
 /// Steps of the method's own choice. Where these become so short that the run would not end, the tolerance is below
