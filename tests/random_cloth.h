@@ -110,4 +110,67 @@ inline Scene randomWindyCloth(unsigned seed, double seconds) {
   return scene;
 }
 
+/// A body somewhere below the cloth, which falls onto it or hangs into it.
+inline Body randomBody(const Scene& scene, Numbers& numbers, double size) {
+  const Sheet sheet = makeSheet(scene);
+  const int under = int(numbers.between(0, double(sheet.count())));
+  const Vec3 middle = sheet.startPosition(std::min(under, sheet.count() - 1));
+  const double radius = std::max(scene.spacing, size * numbers.between(0.1, 0.5));
+  const double below = numbers.between(0.02, 0.4) * size;
+  Body body{.at = middle - Vec3{0, radius + below, 0}, .radius = radius};
+  const double kind = numbers.between(0, 3);
+  if (kind < 1) {
+    body.shape = Shape::Ball;
+  } else if (kind < 2) {
+    body.shape = Shape::Capsule;
+    body.axis = {size * numbers.between(-1, 1), 0, size * numbers.between(0.2, 1)};
+  } else {
+    body.shape = Shape::Box;
+    body.half = {radius + size * numbers.between(0, 0.5), radius, radius + size * numbers.between(0, 0.5)};
+    body.radius = scene.spacing;
+  }
+  return body;
+}
+
+/// A cloth that falls onto a floor, a ball, a capsule, a box, or two of them, with friction or without, some of them
+/// moving, some in wind.
+inline Scene randomTouchingCloth(unsigned seed, double seconds) {
+  Numbers numbers(33333 + seed);
+  for (int k = 0; k < 20; ++k) numbers.coin();
+  Scene scene = numbers.between(0, 1) < 0.25 ? randomWindyCloth(seed, seconds) : randomCloth(seed, seconds);
+  scene.moves.clear();
+  if (numbers.between(0, 1) < 0.6) scene.pins.clear(), scene.start = Start::Flat;
+  if (length(scene.gravity) == 0) scene.gravity = {0, -9.81, 0};
+  if (scene.pins.empty()) scene.pushes.clear();
+  const double size = makeSheet(scene).size(), fall = 0.5 * length(scene.gravity) * seconds * seconds;
+  const double reach = std::min(size, fall);  // what falls shall arrive within the run
+  const double kind = numbers.between(0, 3);
+  if (kind < 2) {
+    const double slope = numbers.coin() ? 0 : numbers.between(-0.5, 0.5);
+    double lowest = 0;
+    const Sheet sheet = makeSheet(scene);
+    for (int i = 0; i < sheet.count(); ++i) lowest = std::min(lowest, sheet.startPosition(i).y);
+    const double below = slope == 0 ? 0 : std::abs(slope) * size;
+    const double steep = std::sqrt(1 + slope * slope);
+    scene.bodies = {{.at = {0, lowest - below - reach * numbers.between(0.01, 0.3), 0},
+                     .normal = {slope / steep, 1 / steep, 0},
+                     .name = "floor"}};
+  }
+  if (kind > 1) scene.bodies.push_back(randomBody(scene, numbers, reach < size ? reach : size));
+  for (Body& body : scene.bodies) {
+    if (body.shape != Shape::Plane) body.name = "body";
+  }
+  scene.contact.stiffness = numbers.coin() ? 0 : scene.structural.ks * logBetween(numbers, 0.1, 10);
+  scene.contact.layer = scene.spacing * logBetween(numbers, 0.02, 0.2);
+  scene.contact.damping = numbers.between(0, 1) < 0.15 ? 0 : logBetween(numbers, 0.03, 2);
+  if (numbers.coin()) scene.contact.friction = logBetween(numbers, 0.05, 1.5);
+  fillContact(scene);
+  scene.contact.grip *= logBetween(numbers, 0.3, 3);
+  if (numbers.between(0, 1) < 0.3) {
+    const double at = seconds * numbers.between(0, 0.5), duration = seconds * numbers.between(0.1, 0.5);
+    scene.moves = {{{}, numbers.inCube(0.3 * size / duration), at, duration, scene.bodies.front().name}};
+  }
+  return scene;
+}
+
 }  // namespace tyg::test

@@ -33,6 +33,22 @@ inline Scene scaled(Scene scene, const Units& units) {
     push.force = force * push.force;
     push.at *= units.time, push.duration *= units.time;
   }
+  const double speed = units.length / units.time, volume = units.length * units.length * units.length;
+  scene.air.density *= units.mass / volume;
+  for (Wind& wind : scene.winds) {
+    wind.velocity = speed * wind.velocity, wind.gust = speed * wind.gust;
+    wind.wavelength *= units.length, wind.at *= units.time, wind.duration *= units.time;
+  }
+  for (Move& move : scene.moves) {
+    move.velocity = speed * move.velocity;
+    move.at *= units.time, move.duration *= units.time;
+  }
+  scene.contact.stiffness *= stiffness, scene.contact.layer *= units.length, scene.contact.grip *= perTime;
+  if (scene.contact.gap) scene.contact.gap = units.length * *scene.contact.gap;
+  for (Body& body : scene.bodies) {
+    body.at = units.length * body.at, body.axis = units.length * body.axis, body.half = units.length * body.half;
+    body.radius *= units.length;
+  }
   scene.duration *= units.time, scene.dt *= units.time, scene.tolerance *= units.length;
   return scene;
 }

@@ -128,6 +128,9 @@ class Simulation {
   [[nodiscard]] std::int64_t ticks() const;  ///< done so far
   [[nodiscard]] double dt() const;           ///< s, as asked for
   [[nodiscard]] double largestStep() const;  ///< s, really taken
+  /// m/s: the largest speed with which particles and bodies can have met, as seen at the energy checks (every 64 steps,
+  /// and wherever a run stops): of the fastest particle and the fastest body together. 0 in scenes without bodies.
+  [[nodiscard]] double largestSpeed() const;
   [[nodiscard]] std::int64_t steps() const;
   [[nodiscard]] std::int64_t forceEvaluations() const;
   [[nodiscard]] int threads() const;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/forces/term.h"
+#include "core/scene/bodies.h"
 #include "core/spectrum/rest_spectrum.h"
 #include "integrators/chebyshev_table.h"
 
@@ -61,6 +62,10 @@ void addLeastDamped(const Scene& scene, std::vector<Mode>& modes) {
   }
 }
 
+/// Stiffness and damping of a particle in the layer of contact, as shares of the largest: S' and w of
+/// core/forces/terms/contact.h at u = 1/2, 3/4, 1 and far below. Where cloth is light it rests near the top.
+constexpr std::array<std::array<double, 2>, 4> kInTheLayer{{{0.5, 0.135}, {0.896, 0.34}, {1, 0.5}, {1, 1}}};
+
 /// Adds what becomes of each mode, and of a resting particle, where something holds all particles.
 void addHeld(const Scene& scene, std::vector<Mode>& modes) {
   const auto [term, hold] = holdingTerm(scene);
@@ -69,7 +74,9 @@ void addHeld(const Scene& scene, std::vector<Mode>& modes) {
   modes.push_back({0, 0});
   for (std::size_t k = 0, count = modes.size(); k < count; ++k) {
     const auto [w2, d] = modes[k];
-    modes.push_back({w2 + perMass * hold.stiffness, d + perMass * hold.damping});
+    for (const auto& [ofStiffness, ofDamping] : kInTheLayer) {
+      modes.push_back({w2 + ofStiffness * perMass * hold.stiffness, d + ofDamping * perMass * hold.damping});
+    }
     if (hold.across > 0) modes.push_back({w2, d + perMass * hold.across});
   }
 }
@@ -97,7 +104,7 @@ Complex chebyshevGrowth(const ChebyshevStages& stages, Complex z) { return growt
 
 std::vector<Mode> chebyshevModes(const Scene& scene) {
   constexpr int kIntervals = 24;  // of the grid of phases, an axis
-  const Lattice lattice(scene);
+  const Lattice lattice(withoutBodies(scene));
   std::vector<Mode> all;
   lattice.forWaves(kIntervals, [&](double qx, double qy) {
     const std::array<Mode, 5> modes = lattice.modes(qx, qy);

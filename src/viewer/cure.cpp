@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/bodies.h"
 #include "study/limits/measured_limit.h"
 #include "study/limits/stability.h"
 #include "tyg/methods.h"
@@ -32,7 +33,14 @@ std::string whatBroke(const Simulation& simulation) {
 std::string cause(const Simulation& simulation, double limit) {
   if (chooses(simulation) || !std::isfinite(limit)) return "";
   if (limit == 0) return ": no step holds with so little damping";
-  if (limit <= simulation.dt()) return fmt::format(": its limit is {:.3g} ms", 1e3 * limit);
+  if (limit <= simulation.dt()) {
+    const StepLimit said = stepLimit(simulation.scene(), simulation.method());
+    constexpr double kSame = 0.99;
+    const bool byContact = said.byContact && limit > kSame * said.predicted;
+    return fmt::format(": its limit is {:.3g} ms", 1e3 * limit) +
+           (byContact ? fmt::format(", set by contact with {}, not the springs", bodiesInWords(simulation.scene()))
+                      : "");
+  }
   return fmt::format(": it kept its limit of {:.3g} ms at rest, but this cloth is far from rest", 1e3 * limit);
 }
 

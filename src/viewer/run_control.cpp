@@ -7,6 +7,8 @@
 #include <exception>
 #include <utility>
 
+#include "study/limits/fast_contact.h"
+
 namespace tyg {
 namespace {
 
@@ -134,6 +136,7 @@ void RunControl::startOver(Simulation fresh) {
   ticks_.guard(simulation_);
   history_.begin(simulation_);
   state_ = RunState::Waiting;
+  isFastContactNoted_ = false;
   notes_.warn(trouble);
   showStart();
 }
@@ -176,11 +179,21 @@ int RunControl::run(std::int64_t ticks, double seconds) {
 void RunControl::show() {
   if (!shown_.take(simulation_, failure_.runsOn())) return freezeOnAlarm();
   if (simulation_.status() == Status::Ok && !history_.past()) failure_.passed(shown_.tick());
+  noteFastContact();
   if (state_ == RunState::Running && !playback_.replaying() && !listener_.actsAt(shown_.tick())) {
     sleep_.follow(simulation_, shown_.kinetic());
   } else {
     sleep_.wake();
   }
+}
+
+/// Said once in a run.
+void RunControl::noteFastContact() {
+  if (isFastContactNoted_ || state_ != RunState::Running || simulation_.status() != Status::Ok) return;
+  std::string note = fastContactNote(simulation_);
+  if (note.empty()) return;
+  isFastContactNoted_ = true;
+  notes_.warn(std::move(note));
 }
 
 void RunControl::freezeOnAlarm() {

@@ -103,6 +103,7 @@ class RunControl {
   void seek();
   int run(std::int64_t ticks, double seconds);
   void show();
+  void noteFastContact();
   void freezeOnAlarm();
   void freezeOnStall();
 
@@ -117,7 +118,8 @@ class RunControl {
   ShownState shown_;
   Failure failure_;
   RunState state_ = RunState::Waiting;
-  Journey journey_;  ///< to history_.target()
+  bool isFastContactNoted_ = false;  ///< in this run
+  Journey journey_;                  ///< to history_.target()
   std::function<void(const EventLog&)> onRunEnd_;
 };
 

@@ -1,7 +1,7 @@
 // How often the energy alarm is wrong: random cloths, every method, steps on both sides of the limit, and beside each
 // run an accurate one that says whether it was spoiled. Prints tables. Not a test: minutes long.
-//   build/release/tests/alarm_statistics [CLOTHS=200 [wind]]
-// With `wind` the cloths are blown at, and their pins move.
+//   build/release/tests/alarm_statistics [CLOTHS=200 [wind | contact]]
+// With `wind` the cloths are blown at, and their pins move; with `contact` they fall onto bodies.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -249,13 +249,15 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "alarm_statistics: found \"%s\" cloths, allowed: 1 to 100000\n", asked.c_str());
     return 2;
   }
-  const bool windy = argc > 2 && std::string(argv[2]) == "wind";
-  if (argc > 3 || (argc > 2 && !windy)) {
-    std::fprintf(stderr, "alarm_statistics: found \"%s\", allowed: wind\n", argv[argc - 1]);
+  const std::string kind = argc > 2 ? argv[2] : "";
+  if (argc > 3 || (argc > 2 && kind != "wind" && kind != "contact")) {
+    std::fprintf(stderr, "alarm_statistics: found \"%s\", allowed: wind or contact\n", argv[argc - 1]);
     return 2;
   }
-  const std::vector<tyg::test::Row> rows =
-      tyg::test::study(scenes, windy ? tyg::test::randomWindyCloth : tyg::test::randomCloth);
+  tyg::test::Cloth* const cloth = kind == "wind"      ? tyg::test::randomWindyCloth
+                                  : kind == "contact" ? tyg::test::randomTouchingCloth
+                                                      : tyg::test::randomCloth;
+  const std::vector<tyg::test::Row> rows = tyg::test::study(scenes, cloth);
   std::printf("%u cloths, %zu runs; a share of 0 stands for methods without limit and for adaptive steps\n", scenes,
               rows.size());
   tyg::test::printThresholds(rows);

@@ -125,7 +125,7 @@ TEST(BuiltinScenes, StandInOrderWithTheDefaultFirstAndFailuresLast) {
   EXPECT_TRUE(std::is_sorted(scenes.begin() + 1, failing, byName));
   EXPECT_TRUE(std::is_sorted(failing, scenes.end(), byName));
   EXPECT_TRUE(std::all_of(failing, scenes.end(), showsFailure));
-  EXPECT_EQ(scenes.end() - failing, 5);
+  EXPECT_EQ(scenes.end() - failing, 6);
 }
 
 TEST(BuiltinScenes, TheStepOfEachIsWellInsideTheLimitsOfRk4AndSymplecticEuler) {

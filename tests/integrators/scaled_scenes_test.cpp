@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "contact_reference.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"
 
@@ -64,6 +65,20 @@ TEST(ScaledScenes, OfEveryMethodMoveAlike) {
     for (const Precision precision : {Precision::Float, Precision::Double}) {
       scene.precision = precision;
       expectSame(scene, method);
+    }
+  }
+}
+
+TEST(ScaledScenes, WithBodiesAirAndMotionsMoveAlike) {
+  Scene scene = sheetInLayers();
+  scene.contact.layer = 1, scene.bodies[0].at.y = 1.5;
+  scene.air = {1.2, 1};
+  scene.winds = {{.velocity = {1, 0, 1}, .gust = {0, 1, 0}, .wavelength = 3}};
+  scene.dt = 0.01, scene.tolerance = 1e-4, scene.duration = 0.5;
+  for (const Method& method : methods()) {
+    for (const Precision precision : {Precision::Float, Precision::Double}) {
+      scene.precision = precision;
+      if (takes(method, scene)) expectSame(scene, method);
     }
   }
 }

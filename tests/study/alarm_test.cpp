@@ -139,6 +139,42 @@ TEST(Alarm, HasAScaleThatDoesNotGrowForEverInAWind) {
   EXPECT_LT(late.scale, 2 * early.scale);
 }
 
+/// A jitter past the limit whose energy damping takes as fast as the method brings it, in a wind that does the same.
+TEST(Alarm, IsRaisedByAJitterInTheWindWhichItsDampingHolds) {
+  Scene scene = curtain(0.6);
+  scene.pushes.clear();
+  scene.air = {1.2, 1.2};
+  scene.winds = {{.velocity = {6, 0, 6}, .gust = {0, 0, 2}, .wavelength = 1}};
+  const Method& method = findMethod("rk4");
+  scene.dt = 0.9 * restLatticeLimit(scene, method);
+  Simulation below(scene, method);
+  below.advanceTo(kSeconds);
+  EXPECT_EQ(below.status(), Status::Ok);
+  scene.dt = 1.04 * restLatticeLimit(scene, method);
+  Simulation above(scene, method);
+  above.advanceTo(kSeconds);
+  EXPECT_NE(above.status(), Status::Ok);
+}
+
+/// Between two energy checks a body may have hit and gone.
+TEST(Alarm, IsNotRaisedByBlowsOfABodyThatMoves) {
+  Scene scene = curtain(0.1);
+  scene.pushes.clear(), scene.pins.clear();
+  scene.bodies = {{.shape = Shape::Plane, .at = {0, -0.2, 0}, .name = "floor"}};
+  scene.contact = {.stiffness = 2000, .layer = 0.01, .damping = 0.1};
+  fillContact(scene);
+  for (int k = 0; k < 5; ++k) scene.moves.push_back({{}, {0, k % 2 == 0 ? 3.0 : -3.0, 0}, 0.3 * k, 0.1, "floor"});
+  for (const char* name : {"symplectic-euler", "leapfrog", "rk4"}) {
+    scene.dt = 5e-4;
+    Simulation simulation(scene, findMethod(name)), exact(scene, findMethod(name), {.ledger = true});
+    simulation.advanceTo(2), exact.advanceTo(2);
+    EXPECT_EQ(simulation.status(), Status::Ok) << name << " " << simulation.alarmTime();
+    EXPECT_EQ(simulation.hash(), exact.hash()) << name;
+    EXPECT_GT(std::abs(exact.ledger().work["bodies"]), 0.1 * exact.ledger().scale) << name;
+    EXPECT_NEAR(simulation.ledger().work["bodies"] / exact.ledger().work["bodies"], 1, 1e-9) << name;
+  }
+}
+
 TEST(Alarm, IsNotRaisedByTheFirstStepsOfAPushWithNothingElseToCompareThemTo) {
   Scene scene = emptyWorld(1, 1);
   scene.pushes = {{{"middle"}, {1, 0, 0}, 0, 1}};

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "core/scene/bodies.h"
 #include "study/limits/stability.h"
 #include "tyg/methods.h"
 #include "tyg/simulation.h"
@@ -38,6 +39,9 @@ std::map<std::string, std::vector<Scene>> cures() {
   all["fail-wet"] = {withMethod(wet, "rkc2")};
   wet.dt = 0.0006;
   all["fail-wet"].push_back(wet);
+  Scene gentle = named("fail-contact"), fine = gentle;
+  gentle.contact.stiffness = largestStiffness(gentle) / 4, fine.dt = 0.0002;
+  all["fail-contact"] = {gentle, fine};
   stretched.dt = 0.015;
   all["fail-stretched"] = {stretched};
   jitter.dt = 0.003;
@@ -78,6 +82,18 @@ TEST(GalleryOfFailures, StepsThatAreSaidToHoldDoAndThoseSaidToFailDo) {
   EXPECT_NEAR(restLatticeLimit(jitter, findMethod("rk4")), 3.07e-3, 0.005e-3);
   EXPECT_EQ(withStep(jitter, 3.12e-3), Status::Ok);
   EXPECT_NE(withStep(jitter, 3.15e-3), Status::Ok);
+}
+
+TEST(GalleryOfFailures, ContactAndNotTheSpringsSetsTheLimitOfTheStiffFloor) {
+  const Scene scene = named("fail-contact");
+  const Method& leapfrog = findMethod("leapfrog");
+  Scene without = scene;
+  without.bodies.clear();
+  EXPECT_TRUE(stepLimit(scene, leapfrog).byContact);
+  EXPECT_NEAR(restLatticeLimit(scene, leapfrog), 0.215e-3, 0.001e-3);
+  EXPECT_NEAR(restLatticeLimit(without, leapfrog), 1.13e-3, 0.01e-3);
+  EXPECT_EQ(withStep(scene, 0.5e-3), Status::Ok);
+  EXPECT_NE(withStep(scene, 0.8e-3), Status::Ok);
 }
 
 TEST(GalleryOfFailures, TheJitterStaysInItsBounds) {

@@ -14,7 +14,7 @@ namespace {
 TEST(IdleTerms, ASceneWhoseEveryTermActsGetsNoNote) {
   EXPECT_TRUE(idleTerms(softSheet(Damping::Relative)).empty());
   for (const char* name : {"curtain", "flag", "poke", "hammock", "chain", "stiff", "wet", "four-particles", "spring",
-                           "flutter", "drawn"}) {
+                           "flutter", "drawn", "pushed-flag", "ball", "bridge", "sail", "storm", "tablecloth"}) {
     EXPECT_TRUE(idleTerms(loadScene(name)).empty()) << name << ": " << idleTerms(loadScene(name)).front();
   }
 }

@@ -83,7 +83,7 @@ TEST(Diet, LeavesOutAirWindAndGustsOneAtATime) {
   scene.air = {1.2, 1.2};
   scene.winds = {{.velocity = {4, 0, 3}, .gust = {0, 0, 2}, .wavelength = 0.5}, {.velocity = {0, 0, 1}}};
   const auto changed = [&](Change change) { return changesOf(scene, change); };
-  const std::vector<Change> all = allChanges();
+  const std::vector<Change> all = allChanges(scene);
   const auto air = std::ranges::find_if(
       all, [](const Change& change) { return change.kind == Change::LeaveOut && change.term->name == "air"; });
   ASSERT_NE(air, all.end());
@@ -228,7 +228,7 @@ TEST(Diet, AnObserverThatSaysStopEndsIt) {
 TEST(DietChanges, StayInsideTheLimitsOfTheirMethods) {
   Scene scene = softSheet(Damping::Relative);
   scene.dt = 0.01;
-  for (const Change& change : allChanges()) {
+  for (const Change& change : allChanges(scene)) {
     for (const Changed& changed : changesOf(scene, change)) {
       EXPECT_FALSE(changed.words.empty());
       EXPECT_NE(changed.scene, scene) << changed.words;

@@ -111,6 +111,20 @@ TEST_F(PanelsTest, ControlAndZUndoesAndBothWaysRedo) {
   EXPECT_EQ(viewer_.scenes().scene().dt, 0.5 * dt);
 }
 
+TEST_F(PanelsTest, TheControlPanelHoldsTheToleranceToWhatBodiesAllowAndSaysSo) {
+  Scene scene = loadScene("curtain", methodNames());
+  scene.integrator = "dopri54";
+  scene.bodies = {{.shape = Shape::Plane, .at = {0, -3, 0}}};
+  scene.contact = {.stiffness = 500, .layer = 0.01};
+  fillContact(scene);
+  scene.tolerance = 1e-3;
+  viewer_.scenes().use(scene);
+  panels_.toggle(InputAction::OpenControl);
+  frames();
+  EXPECT_DOUBLE_EQ(viewer_.scenes().scene().tolerance, 1e-5);
+  EXPECT_NE(viewer_.notes().text().find("a thousandth of the layer of contact"), std::string::npos);
+}
+
 TEST_F(PanelsTest, KeysWithControlAreNotTheViewers) {
   EXPECT_TRUE(press('S', true));
   EXPECT_FALSE(press('S'));

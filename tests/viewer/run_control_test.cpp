@@ -208,6 +208,37 @@ TEST_F(CalmViewerTest, ItsSleepIsNoPartOfTheRecord) {
 }
 
 /// Its method chooses some hundred steps for each tick, and each look at the clock takes a second.
+/// Falls onto a floor whose layer a step crosses.
+class FallingViewerTest : public ViewerTest {
+ protected:
+  static Scene falling() {
+    Scene scene = curtain();
+    scene.columns = scene.rows = 6;
+    scene.pins.clear();
+    scene.start = Start::Flat;
+    scene.integrator = "leapfrog", scene.dt = 1e-3;
+    scene.bodies = {{.shape = Shape::Plane, .at = {0, -1, 0}}};
+    scene.contact = {.stiffness = 500, .layer = 1e-3};
+    fillContact(scene);
+    return scene;
+  }
+  FallingViewerTest() : ViewerTest(falling()) {}
+};
+
+TEST_F(FallingViewerTest, AStepThatCrossesTheLayerIsToldOnceInARun) {
+  const auto isTold = [&] { return viewer_.notes().text().find("of the layer of contact") != std::string::npos; };
+  for (int run = 0; run < 2; ++run) {
+    tap(' ');
+    EXPECT_FALSE(isTold());
+    frames(30);
+    EXPECT_TRUE(isTold()) << run;
+    tap('H'), tap('H');
+    frames(10);
+    EXPECT_FALSE(isTold()) << "once is enough";
+    viewer_.scenes().restart();
+  }
+}
+
 class StallingViewerTest : public ViewerTest {
  protected:
   static Scene stalling() {

@@ -9,6 +9,7 @@
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/commands/option_checks.h"
+#include "core/scene/bodies.h"
 #include "core/scene/same_sides.h"
 #include "core/scene/scene_range.h"
 #include "tyg/methods.h"
@@ -25,6 +26,16 @@ constexpr int kMostThreads = 1024;
 void refuseOtherSides(const Scene& scene, const Grid& grid) {
   const bool hasSides = std::max(scene.columns, scene.rows) > 1 && std::max(grid.columns, grid.rows) > 1;
   if (hasSides && !keepsSides(scene, grid)) throw InputError("--sheet: " + otherSides(scene, grid, kLargestCount));
+}
+
+/// Of the command line; the files' are refused where they are read.
+void refuseCoarseTolerance(const Scene& scene) {
+  const double most = largestTolerance(scene);
+  if (!(scene.tolerance > most)) return;
+  throw InputError(fmt::format(
+      "--tolerance: found {:g} m, allowed is up to a thousandth of the layer of contact, {:g} m: coarser steps would "
+      "miss it",
+      scene.tolerance, most));
 }
 
 void addNumbers(Command& command, SceneOptions& options) {
@@ -96,6 +107,7 @@ Scene overridden(Scene scene, const SceneOptions& options) {
   if (options.integrator && !list) scene.integrator = findMethod(*options.integrator, "--integrator").name;
   if (options.precision) scene.precision = *options.precision == "float" ? Precision::Float : Precision::Double;
   if (options.tolerance) scene.tolerance = parseLength("--tolerance", *options.tolerance, makeSheet(scene).size());
+  refuseCoarseTolerance(scene);
   scene.dt = options.dt.value_or(scene.dt);
   scene.duration = options.duration.value_or(scene.duration);
   if (scene.duration / scene.dt > kMostSteps) {
@@ -104,6 +116,7 @@ Scene overridden(Scene scene, const SceneOptions& options) {
                     scene.dt, scene.duration, scene.duration / scene.dt, kMostSteps));
   }
   refuseExtremes(scene);
+  refuseUnfitBodies(scene);
   return scene;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/reports/run_report.h"
+#include "core/scene/bodies.h"
 #include "study/limits/measured_limit.h"
 #include "study/limits/stability.h"
 #include "tyg/methods.h"
@@ -49,6 +50,7 @@ class Ways {
       Scene scene = scene_;
       const std::string words = fmt::format("--tolerance {:.2g}", first * std::pow(factor, k));
       scene.tolerance = std::stod(words.substr(words.find(' ')));
+      if (scene.tolerance > largestTolerance(scene)) break;
       const std::optional<bool> held = hold(scene);
       if (held && *held) return ways_.push_back({words, true});
       if (!held && !predicted) predicted = Way{words};

@@ -10,8 +10,11 @@
 
 #include "app/reports/json.h"
 #include "core/forces/term.h"
+#include "core/forces/terms/contact.h"
+#include "core/scene/bodies.h"
 #include "core/simulation/timetable.h"
 #include "study/diet/idle_terms.h"
+#include "study/limits/fast_contact.h"
 #include "util/text.h"
 #include "util/visible_text.h"
 
@@ -32,10 +35,11 @@ std::string stableStepLine(const FinishedRun& run) {
       share < 2 ? fmt::format("{:.3g} % of that", 100 * share) : fmt::format("{:.0f} times that", share));
 }
 
+std::string vectorText(const Vec3& v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
+
 std::string valueText(const Parameter& parameter, const Scene& scene) {
   const Vec3 value = parameter.get(scene);
-  return parameter.count == 1 ? fmt::format("{:.4g}", value.x)
-                              : fmt::format("({:.4g}, {:.4g}, {:.4g})", value.x, value.y, value.z);
+  return parameter.count == 1 ? fmt::format("{:.4g}", value.x) : vectorText(value);
 }
 
 /// The run from one begin or end of a push, a wind or a motion to the next.
@@ -50,14 +54,33 @@ std::string spansText(const Scene& scene) {
   return text;
 }
 
+/// What is touched.
+std::string bodiesText(const Scene& scene) {
+  if (!hasTerm(scene, ContactTerm::kTerm)) return "";
+  std::string text;
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    const Body& body = scene.bodies[k];
+    text += fmt::format("body {}: {}{} at {} m", k + 1, nameOf(body.shape),
+                        body.name.empty() ? "" : " " + oneLine(body.name), vectorText(body.at));
+    if (body.shape == Shape::Plane) text += ", normal " + vectorText(body.normal);
+    if (body.shape == Shape::Capsule) text += ", axis " + vectorText(body.axis) + " m";
+    if (body.shape == Shape::Box) text += ", half " + vectorText(body.half) + " m, rounding";
+    if (body.shape == Shape::Ball || body.shape == Shape::Capsule) text += ", radius";
+    if (body.shape != Shape::Plane) text += fmt::format(" {:.4g} m", body.radius);
+    text += fmt::format(", gap {:.4g} m\n", gapOf(scene, body));
+  }
+  return text;
+}
+
 /// Winds and motions, where there are any; the first wind is among the parameters.
 std::string actionsText(const Scene& scene) {
   std::string text;
   if (scene.winds.size() > 1) text += fmt::format("{} winds, of which the first is named above\n", scene.winds.size());
   for (std::size_t k = 0; k < scene.moves.size(); ++k) {
     const Move& move = scene.moves[k];
-    text += fmt::format("move {}: ({:.4g}, {:.4g}, {:.4g}) m/s from {:.6g} s to {:.6g} s\n", k + 1, move.velocity.x,
-                        move.velocity.y, move.velocity.z, move.at, move.at + move.duration);
+    text += fmt::format("move {}: {}{} m/s from {:.6g} s to {:.6g} s\n", k + 1,
+                        move.body.empty() ? "" : oneLine(move.body) + " with ", vectorText(move.velocity), move.at,
+                        move.at + move.duration);
   }
   return text;
 }
@@ -98,6 +121,12 @@ std::string roundingRemark(const FinishedRun& run) {
       "rounding alone. {}\n",
       simulation.largestStep(), nameOf(simulation.scene().precision),
       isFloat ? "Take longer steps, or --precision double." : "Take longer steps.");
+}
+
+std::string contactRemark(const FinishedRun& run) {
+  if (run.simulation.status() != Status::Ok) return "";
+  const std::string note = fastContactNote(run.simulation);
+  return note.empty() ? "" : "remark        " + note + "\n";
 }
 
 /// Energies and stretch, where they still say something: those of a run that has blown up are digits without meaning.
@@ -145,8 +174,12 @@ std::string runJson(const FinishedRun& run) {
       {"kinetic_J", run.ledger.kinetic},
   });
   for (const auto& [name, joules] : run.ledger.stored) json.update({{fmt::format("{}_J", name), joules}});
+  json.update({{"work_J", run.ledger.work.sum()}});
+  if (run.ledger.work.has("bodies")) json.update({{"work_of_bodies_J", run.ledger.work["bodies"]}});
+  if (!scene.bodies.empty()) {
+    json.update({{"largest_speed", simulation.largestSpeed()}, {"layers_per_step", layersPerStep(simulation)}});
+  }
   json.update({
-      {"work_J", run.ledger.work.sum()},
       {"dissipated_J", run.followsLoss ? run.ledger.dissipated : kUnknown},
       {"ledger_drift", run.followsLoss && run.ledger.scale > 0 ? run.ledger.drift : kUnknown},
       {"max_stretch", run.ledger.maxStretch},
@@ -168,8 +201,8 @@ std::string runSummary(const FinishedRun& run) {
     text += fmt::format(": {:.3g} times real time, {:.3g} ns per particle and force evaluation",
                         simulation.time() / run.seconds, 1e9 * run.seconds / evaluations / simulation.sheet().count());
   }
-  return text + fmt::format("\n{}{}\n{}hash          {}\nstatus        {}\n", energyLines(run), stableStepLine(run),
-                            roundingRemark(run), hashText(simulation), nameOf(simulation.status()));
+  return text + fmt::format("\n{}{}\n{}{}hash          {}\nstatus        {}\n", energyLines(run), stableStepLine(run),
+                            contactRemark(run), roundingRemark(run), hashText(simulation), nameOf(simulation.status()));
 }
 
 std::string runPlan(const Simulation& simulation) {
@@ -185,9 +218,11 @@ std::string runPlan(const Simulation& simulation) {
   text += scene.damping == Damping::Relative ? "relative damping\n" : "axial damping\n";
   text += fmt::format("spacing {:.4g} m, particle mass {:.4g} kg", scene.spacing, scene.particleMass);
   for (const ForceTerm* term : forceTerms()) {
-    if (term->family) continue;
+    const bool isContact = term == &ContactTerm::kTerm;  // its bodies have lines of their own
+    if (term->family || (isContact && !hasTerm(scene, *term))) continue;
     for (const Parameter& parameter : term->parameters) {
       if (!parameter.decidesPresence && !hasTerm(scene, *term)) continue;
+      if (isContact && (parameter.ofList || (parameter.acts != nullptr && !parameter.acts(scene)))) continue;
       text += fmt::format(", {} {}", parameter.label, valueText(parameter, scene));
       if (parameter.unit != "1") text += fmt::format(" {}", parameter.unit);
     }
@@ -198,7 +233,7 @@ std::string runPlan(const Simulation& simulation) {
                       evaluations < 0
                           ? "as many force evaluations a step as it needs"
                           : fmt::format("{} force evaluation{} a step", evaluations, evaluations == 1 ? "" : "s"));
-  text += actionsText(scene) + spansText(scene);
+  text += bodiesText(scene) + actionsText(scene) + spansText(scene);
   for (const std::string& idle : idleTerms(scene)) text += "note: changes nothing visible: " + idle + "\n";
   return text;
 }

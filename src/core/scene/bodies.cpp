@@ -4,11 +4,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/forces/term.h"
 #include "core/forces/terms/contact.h"
+#include "util/visible_text.h"
 
 namespace tyg {
 namespace {
@@ -86,6 +89,38 @@ void refuseUnfitBodies(const Scene& scene) {
     throw InputError(fmt::format("{}contact: found a layer of {:g} m and a grip of {:g} N s/m, allowed above 0", name,
                                  scene.contact.layer, scene.contact.grip));
   }
+}
+
+bool fitsBodies(const Scene& scene) { return !touches(scene) || !unfitBody(scene); }
+
+std::string_view nameOf(Shape shape) {
+  constexpr std::array<std::string_view, 4> kNames{"plane", "ball", "capsule", "box"};
+  return kNames.at(std::size_t(shape));
+}
+
+std::string wordsFor(const Scene& scene, std::size_t body) {
+  const Body& own = scene.bodies.at(body);
+  if (!own.name.empty()) return oneLine(own.name);
+  const std::string shape(nameOf(own.shape));
+  return std::ranges::count(scene.bodies, own.shape, &Body::shape) > 1 ? fmt::format("{} {}", shape, body + 1) : shape;
+}
+
+std::string bodiesInWords(const Scene& scene) {
+  return scene.bodies.size() == 1 ? "the " + wordsFor(scene, 0) : "the bodies";
+}
+
+Scene withoutBody(Scene scene, std::size_t body) {
+  const std::string name = scene.bodies.at(body).name;
+  scene.bodies.erase(scene.bodies.begin() + std::ptrdiff_t(body));
+  if (!name.empty()) std::erase_if(scene.moves, [&](const Move& move) { return move.body == name; });
+  if (scene.bodies.empty()) scene.contact = {};
+  return scene;
+}
+
+Scene withoutBodies(Scene scene) {
+  while (!scene.bodies.empty()) scene = withoutBody(std::move(scene), 0);
+  scene.contact = {};
+  return scene;
 }
 
 double largestTolerance(const Scene& scene) { return touches(scene) ? scene.contact.layer / 1000 : kInfinity; }

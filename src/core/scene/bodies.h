@@ -23,6 +23,20 @@ struct UnfitBody {
 std::optional<UnfitBody> unfitBody(const Scene& scene);
 /// Throws InputError where a body does not fit the sheet, or where the contact lacks a number.
 void refuseUnfitBodies(const Scene& scene);
+/// Whether the bodies that are touched fit the sheet, which may have become coarser.
+bool fitsBodies(const Scene& scene);
+
+/// `ball`, `box`, ...
+std::string_view nameOf(Shape shape);
+/// A body as people call it: its name, or else its shape, with its number among the bodies where there are several of
+/// that shape: `table`, `ball`, `ball 2`.
+std::string wordsFor(const Scene& scene, std::size_t body);
+/// What the cloth touches: `the ball` where there is one body, else `the bodies`.
+std::string bodiesInWords(const Scene& scene);
+
+/// The scene without this body and its motions; without its last one there is no contact either.
+Scene withoutBody(Scene scene, std::size_t body);
+Scene withoutBodies(Scene scene);
 
 /// The largest tolerance (m) at which a method that chooses its own steps meets bodies as they are; infinite where
 /// nothing is touched.

@@ -92,11 +92,28 @@ void readShape(SceneTable& table, Body& body) {
   }
 }
 
+/// A body without a shape: of its keys only what no shape has is unknown.
+void refuseShapeless(SceneTable& table) {
+  Vec3 vector;
+  double number = 0;
+  for (const std::string_view key : {"at", "normal", "from", "to", "half"}) table.vector(key, vector);
+  for (const std::string_view key : {"radius", "rounding"}) table.number(key, number, Allowed::Positive);
+  table.finish({"shape"});
+}
+
+/// A vector of the length 1 stays as it is: what has been written reads back to the same bits.
+Vec3 ofLengthOne(const Vec3& v) {
+  constexpr double kRounding = 1e-15;
+  const double length = std::hypot(v.x, v.y, v.z);
+  if (std::abs(length - 1) <= kRounding) return v;
+  return {v.x / length, v.y / length, v.z / length};
+}
+
 Body readBody(SceneTable table, const Scene& scene) {
   Body body;
   table.text("name", body.name);
   table.choice("shape", body.shape, {"plane", "ball", "capsule", "box"});
-  if (!table.has("shape")) table.finish({"shape"});
+  if (!table.has("shape")) refuseShapeless(table);
   readShape(table, body);
   if (table.has("name")) {
     if (std::ranges::find(scene.bodies, body.name, &Body::name) != scene.bodies.end()) {
@@ -109,8 +126,7 @@ Body readBody(SceneTable table, const Scene& scene) {
   Scene alone = scene;
   alone.bodies = {body};
   if (const auto unfit = unfitBody(alone)) table.refuse(unfit->key, unfit->found, unfit->allowed);
-  const double length = std::hypot(body.normal.x, body.normal.y, body.normal.z);
-  body.normal = {body.normal.x / length, body.normal.y / length, body.normal.z / length};
+  body.normal = ofLengthOne(body.normal);
   return body;
 }
 
@@ -128,16 +144,17 @@ void completeContact(const SceneTable& root, Scene& scene) {
 
 /// What a scene file says of contact besides its parameters.
 void readGap(SceneTable& table, Contact& contact) {
-  if (!table.has("gap")) return;
-  table.number("gap", contact.gap.emplace(0), Allowed::NotNegative);
+  double gap = 0;
+  table.number("gap", gap, Allowed::NotNegative);
+  if (table.has("gap")) contact.gap = gap;
 }
 
 void readTerms(SceneTable table, std::string_view name, Scene& scene) {
   if (name == kSpringsTable) table.choice("damping", scene.damping, {"relative", "axial"});
-  if (name == kContactTable) readGap(table, scene.contact);
   for (const ForceTerm* term : forceTerms()) {
     if (partsOf(term->parameters.front().key).table == name) readTerm(table, *term, scene);
   }
+  if (name == kContactTable) readGap(table, scene.contact);
   table.finish();
   for (const Parameter& parameter : liveParameters()) {
     const auto [outer, inner, key] = partsOf(parameter.key);

@@ -103,7 +103,11 @@ std::string valueText(const Parameter& parameter, const Scene& scene) {
 
 /// The parameters of a term, but for those of an empty world; where they have a table of their own, all or none.
 void writeTerm(Writer& out, const ForceTerm& term, const Scene& scene) {
-  static const Scene kEmptyWorld;
+  static const Scene kEmptyWorld = [] {
+    Scene world;
+    world.bodies.emplace_back();  // or else contact would have no numbers to compare with
+    return world;
+  }();
   const bool isThere = hasTerm(scene, term);
   const auto isOwn = [&](const Parameter& parameter) {
     if (!isThere && !parameter.decidesPresence) return false;

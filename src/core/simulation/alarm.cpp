@@ -22,9 +22,12 @@ double hundredthStretch(const Scene& scene, const Sheet& sheet) {
 }  // namespace
 
 void Alarm::lose(double power, double time) {
-  lost_ = lost_ * (1 - 1 / kMemory) + std::min(power, lastPower_) * (time - lastTime_);
+  const double explained = std::max(0.0, flowedBefore_);
+  lost_ -= std::max(0.0, lost_ - explained) / kMemory;
+  const double lasting = std::min(power, lastPower_);
+  lost_ += (touches_ ? std::min(lasting, powerBefore_) : lasting) * (time - lastTime_);
   flowedLately_ *= 1 - 1 / kMemory;
-  lastPower_ = power, lastTime_ = time;
+  powerBefore_ = lastPower_, lastPower_ = power, lastTime_ = time;
   lossIsPresent_ = true;
 }
 
@@ -49,7 +52,7 @@ Status Alarm::check(const StoredEnergy& energy, double work, double flowing) {
 }
 
 Alarm makeAlarm(const Scene& scene, const Sheet& sheet, const StoredEnergy& start) {
-  return {hundredthStretch(scene, sheet), start.withNaturalZero()};
+  return {hundredthStretch(scene, sheet), start.withNaturalZero(), !scene.bodies.empty()};
 }
 
 }  // namespace tyg

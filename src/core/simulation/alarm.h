@@ -21,13 +21,17 @@ class Alarm {
 
   /// `floor` (J): what counts as a large energy in a run where nothing larger happens (a hundredth of stretch);
   /// `startEnergy` = K + E at the start.
-  Alarm(double floor, double startEnergy) : floor_(floor), largest_(startEnergy) {}
+  /// `touches`: there are bodies, and blows of the cloth on them.
+  Alarm(double floor, double startEnergy, bool touches = false)
+      : floor_(floor), largest_(startEnergy), touches_(touches) {}
 
   /// Takes the power (W) that damping takes at a time (s), at the regular checks alone and before check().
-  /// The energy lost between two checks is estimated as the time between them times the lower of the two powers. That
+  /// The energy lost between two checks is estimated as the time between them times the lower of the two powers, and
+  /// where bodies are touched of the last three, since each may be that of a short blow. That
   /// is too little where the motion dies out or grows, and nearly right for a jitter, which stays the same. Each check
   /// takes a part 1/kMemory off D, so that small errors of the estimate do not add up over a long run; this only lowers
-  /// the sum, and so never sets off the alarm.
+  /// the sum, and so never sets off the alarm. What winds, pins and bodies have brought is not taken off: it is lost
+  /// all the time, and without it the sum would fall for ever while a cloth jitters in the wind.
   void lose(double power, double time);
   /// To be called for steps of h seconds. `forcing` (J/s2): the sum over the particles of |F|^2 / m, F what steady
   /// forces and pushes do to a particle. A first-order method that begins to fall is ahead of the truth by n/2 of
@@ -55,9 +59,9 @@ class Alarm {
 
   double floor_ = 0, largest_ = 0, firstSteps_ = 0;
   double flowedLately_ = 0, flowedBefore_ = 0;
-  double lost_ = 0, lastPower_ = 0, lastTime_ = 0;
+  double lost_ = 0, lastPower_ = 0, powerBefore_ = 0, lastTime_ = 0;
   Sum stored_, balance_;
-  bool checked_ = false, lossIsPresent_ = true;
+  bool touches_ = false, checked_ = false, lossIsPresent_ = true;
 };
 
 /// The alarm of a scene that starts with these energies.

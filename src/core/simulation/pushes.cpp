@@ -129,6 +129,13 @@ double Pushes::forcing(const Scene& scene, const Sheet& sheet) const {
   return root * root;
 }
 
+double Pushes::largestForce(const Scene& scene) const {
+  const Vec3 steady = steadyForce(scene);
+  double sum = std::sqrt(dot(steady, steady));
+  forActing([&](const Push& push) { sum += std::sqrt(dot(push.force, push.force)); });
+  return sum;
+}
+
 double Pushes::work(const Backend& backend) const {
   double sum = finishedWork_;
   forActing([&](const Push& push) { sum += push.workUpTo(backend.position(push.particle)); });

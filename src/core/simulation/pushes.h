@@ -28,6 +28,8 @@ class Pushes {
   void applyTo(Backend& backend) const;
   /// The largest sum over the particles of |F|^2 / m that steady forces and the acting pushes can make, J/s2.
   [[nodiscard]] double forcing(const Scene& scene, const Sheet& sheet) const;
+  /// No particle feels a larger force of steady forces and the acting pushes, N.
+  [[nodiscard]] double largestForce(const Scene& scene) const;
 
   /// The work of all pushes so far: force times the distance moved, J.
   [[nodiscard]] double work(const Backend& backend) const;

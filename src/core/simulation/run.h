@@ -30,7 +30,8 @@ struct Run {
   const Method* method;
   TickClock clock;
   std::int64_t steps = 0;
-  double largestStep = 0;  // s
+  double largestStep = 0;   // s
+  double largestSpeed = 0;  // m/s, see Simulation::largestSpeed
   Pushes pushes;
   PinMotion pins;
   SheetChanges changes;

@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "core/forces/term.h"
 #include "core/scene/bodies.h"
 #include "core/scene/scene_range.h"
@@ -40,11 +42,13 @@ Simulation::Impl::Impl(Scene wanted, const Method& method, const Settings& asked
       workers(asked.threads > 0 ? asked.threads : defaultThreads(sheet.count())),
       backend(makeBackend(scene, sheet, method, workers, asked.ledger)),
       run(scene, sheet, method, backend->energy(0), asked.ledger),
-      timetable(scene) {
+      timetable(scene),
+      addsUpPower(asked.ledger) {
   applyPushes();
   applyTimetable();
   run.supply.follow(settings.ledger, powerToSupply(), 0, backend->energyOfPower());
-  run.energies.check(sample());
+  followPower();
+  checkEnergies();
 }
 
 Simulation::Impl::Checkpoint Simulation::Impl::checkpoint() const { return {run, liveValues(scene), backend->save()}; }
@@ -62,7 +66,8 @@ void Simulation::Impl::goBackTo(const Checkpoint& checkpoint) {
   backend->restore(*checkpoint.moved);
   applyPushes();
   applyTimetable();
-  if (run.energies.followsLedger() != settings.ledger) trackDissipation(settings.ledger);
+  followPower();
+  if (run.energies.followsLedger() != settings.ledger) run.energies.followLedger(settings.ledger, sample());
 }
 
 EnergySample Simulation::Impl::sample(const Power& power) const {
@@ -74,6 +79,11 @@ EnergySample Simulation::Impl::sample(const Power& power) const {
   return sample;
 }
 
+void Simulation::Impl::checkEnergies() {
+  run.largestSpeed = std::max(run.largestSpeed, approach());
+  run.energies.check(sample());
+}
+
 Power Simulation::Impl::powerToSupply() const {
   for (std::size_t k = 0; k < kSupplies.size(); ++k) {
     if (canSupply(scene, k)) return backend->power(run.clock.time());
@@ -82,10 +92,16 @@ Power Simulation::Impl::powerToSupply() const {
 }
 
 void Simulation::Impl::trackDissipation(bool on) {
-  run.supply.follow(on, powerToSupply(), run.clock.time(), backend->energyOfPower());
   settings.ledger = on;
-  backend->trackDissipation(on, run.clock.time());
+  followPower();
   run.energies.followLedger(on, sample());
+}
+
+void Simulation::Impl::followPower() {
+  const bool exactly = settings.ledger || bodiesMove(), changes = exactly != run.supply.isExact();
+  if (changes) run.supply.follow(exactly, powerToSupply(), run.clock.time(), backend->energyOfPower());
+  if (changes || exactly != addsUpPower) backend->trackDissipation(exactly, run.clock.time());
+  addsUpPower = exactly;
 }
 
 Simulation::Simulation(const Scene& scene, const Method& method, const Settings& settings)
@@ -130,6 +146,7 @@ double Simulation::time() const { return impl_->run.clock.time(); }
 std::int64_t Simulation::ticks() const { return impl_->run.clock.ticks(); }
 double Simulation::dt() const { return impl_->run.clock.dt(); }
 double Simulation::largestStep() const { return impl_->run.largestStep; }
+double Simulation::largestSpeed() const { return impl_->run.largestSpeed; }
 std::int64_t Simulation::steps() const { return impl_->run.steps; }
 std::int64_t Simulation::forceEvaluations() const { return impl_->backend->evaluations(); }
 int Simulation::threads() const { return impl_->workers.threads(); }
@@ -145,7 +162,7 @@ std::uint64_t Simulation::hash() const { return impl_->backend->hash(); }
 Ledger Simulation::ledger() { return impl_->run.energies.ledger(impl_->sample()); }
 double Simulation::liveStableStep() { return impl_->backend->liveStableStep(method(), time()); }
 Status Simulation::check() {
-  impl_->run.energies.check(impl_->sample());
+  impl_->checkEnergies();
   return status();
 }
 Status Simulation::status() const { return impl_->run.energies.status(); }

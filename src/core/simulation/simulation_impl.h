@@ -24,8 +24,9 @@ struct Simulation::Impl {
   std::function<bool()> observer;
   const Timetable timetable;
   bool stopAsked = false;
-  bool finishing = false;  // a tick that is done whole even where the observer says stop
-  double forcing = 0;      // J/s2, see Alarm::expect
+  bool finishing = false;    // a tick that is done whole even where the observer says stop
+  double forcing = 0;        // J/s2, see Alarm::expect
+  bool addsUpPower = false;  // the methods do, for the ledger or for a moving body's work
 
   Impl(Scene wanted, const Method& method, const Settings& asked);
 
@@ -41,9 +42,17 @@ struct Simulation::Impl {
   /// `power` (W): of now, as powerToSupply() gives it.
   [[nodiscard]] EnergySample sample(const Power& power) const;
   void trackDissipation(bool on);
+  /// To be called where the ledger begins or ends to be followed, and where a body begins or ends to move: what a body
+  /// brings in a blow is over long before the next energy check, and has to be added up step by step.
+  void followPower();
+  [[nodiscard]] bool bodiesMove() const;
   [[nodiscard]] Instant now() const;
   /// W, where terms of the scene can bring energy; else 0.
   [[nodiscard]] Power powerToSupply() const;
+  /// m/s, of the fastest particle and the fastest body together; 0 where nothing is touched.
+  [[nodiscard]] double approach() const;
+  /// An energy check at any time.
+  void checkEnergies();
   /// To be called on both sides of a jump of that power.
   void checkSupply() { run.supply.check(powerToSupply(), run.clock.time(), backend->energyOfPower()); }
 

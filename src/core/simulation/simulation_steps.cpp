@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/forces/term.h"
+#include "core/forces/terms/contact.h"
 #include "core/scene/bodies.h"
 #include "core/simulation/simulation_impl.h"
 
@@ -81,6 +81,7 @@ void Simulation::Impl::switchWhatActs() {
     run.pins.switchAt(scene, sheet, now(), *backend);
     applyTimetable();
     checkSupply();
+    followPower();
     changes = true;
   }
   if (mayTearNow()) tearWhatIsTooLong();
@@ -102,6 +103,7 @@ void Simulation::Impl::finishSteps(double h, int count, double timeAfter) {
   const Power power = keepsTheBalance ? backend->power(timeAfter) : powerToSupply();
   run.supply.check(power, timeAfter, backend->energyOfPower());
   run.energies.lose(keepsTheBalance ? power.lost : 0, timeAfter);
+  run.largestSpeed = std::max(run.largestSpeed, approach());
   run.energies.check(sample(power));
   askObserver();
 }
@@ -117,6 +119,22 @@ void Simulation::Impl::advance(std::int64_t steps, StepTimes times, double end) 
   }
 }
 
+bool Simulation::Impl::bodiesMove() const {
+  return std::ranges::any_of(scene.bodies, [&](const Body& body) {
+    return motionOf(scene, body, run.clock.time(), now().sameTime).velocity != Vec3{};
+  });
+}
+
+double Simulation::Impl::approach() const {
+  if (scene.bodies.empty()) return 0;
+  double ofBodies = 0;
+  for (const Body& body : scene.bodies) {
+    const Vec3 velocity = motionOf(scene, body, run.clock.time(), now().sameTime).velocity;
+    ofBodies = std::max(ofBodies, std::hypot(velocity.x, velocity.y, velocity.z));
+  }
+  return backend->largestSpeed() + ofBodies;
+}
+
 /// How long a step of the method's own choice may be without leaping over a body, s.
 double Simulation::Impl::longestFreeStep() const {
   if (scene.bodies.empty()) return std::numeric_limits<double>::infinity();
@@ -124,8 +142,7 @@ double Simulation::Impl::longestFreeStep() const {
   for (const Move& move : scene.moves) {
     if (!move.body.empty()) speed += std::hypot(move.velocity.x, move.velocity.y, move.velocity.z);
   }
-  const Vec3 steady = steadyForce(scene);
-  return stepThatMeetsBodies(scene, speed, std::hypot(steady.x, steady.y, steady.z) / sheet.particleMass);
+  return stepThatMeetsBodies(scene, speed, run.pushes.largestForce(scene) / sheet.particleMass);
 }
 
 /// Steps of the method's own choice. Where these become so short that the run would not end, the tolerance is below

@@ -1,6 +1,6 @@
-// The energy that terms such as wind have brought: exact where the ledger is followed, and otherwise estimated between
-// energy checks, where it is asked for by the alarm alone. A regular type, so that a checkpoint is a copy.
-// Must not know: where the power comes from.
+// The energy that terms such as wind have brought: exact where the ledger is followed or a body moves, and otherwise
+// estimated between energy checks, where it is asked for by the alarm alone. A regular type, so that a checkpoint is a
+// copy. Must not know: where the power comes from.
 #pragma once
 
 #include "core/forces/power.h"
@@ -18,6 +18,7 @@ class Supply {
     exactly_ = exactly;
     power_ = power.supplied, time_ = time, integral_ = integral.supplied;
   }
+  [[nodiscard]] bool isExact() const { return exactly_; }
   /// An energy check: where it is estimated, the mean of the powers now and before counts for the time between them.
   void check(const Power& power, double time, const Power& integral) {
     if (!exactly_) follow(false, power, time, integral);

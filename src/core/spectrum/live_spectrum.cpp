@@ -81,6 +81,15 @@ void LiveSpectrum<T>::countApart(const Scene& scene) {
   mostDamped_ = mostDampedOf(lattice_) + hold.damping / mass_;
   ofAir_ = cellDamping(scene) / mass_;
   ofFriction_ = hold.across / mass_;
+  held_ = {hold.stiffness / mass_, hold.damping / mass_};
+}
+
+/// s: of a single particle that touches something, where the method treats that damping in another way than what the
+/// followed modes have; else infinite.
+template <class T>
+double LiveSpectrum<T>::limitOfTouching(const Method& method) const {
+  if (method.stableStepWhereHeld == nullptr) return std::numeric_limits<double>::infinity();
+  return std::min(method.stableStepWhereHeld(held_.w2, held_.d), method.stableStepWhereHeld(0, ofFriction_));
 }
 
 /// From the wave that sets the limit of the sheet at rest, fading towards the edges as the modes of a free sheet do.
@@ -124,14 +133,16 @@ double LiveSpectrum<T>::stableStep(const Method& method, const State<T>& state, 
   if (!isStarted_) start(method, both);
   if (!follow(method, both ? turn_ : kStiff, state)) return kNone;
   turn_ = turn_ == kStiff ? kDamped : kStiff;
-  const double apart = ofAir_ + (ofFriction_ > 0 && touches(state) ? ofFriction_ : 0);
+  const bool isHeld = held_.w2 > 0 && touches(state);
+  const double apart = ofAir_ + (isHeld ? ofFriction_ : 0);
   const auto limit = [&](Which which) {
     const Mode& mode = followers_[which].mode;
     if (!(mode.w2 > 0 || mode.d > 0)) return std::numeric_limits<double>::infinity();
     const double still = method.stableStep(mode.w2, mode.d);
     return apart > 0 ? std::min(still, method.stableStep(mode.w2, mode.d + apart)) : still;
   };
-  return both ? std::min(limit(kStiff), limit(kDamped)) : limit(kStiff);
+  const double followed = both ? std::min(limit(kStiff), limit(kDamped)) : limit(kStiff);
+  return isHeld ? std::min(followed, limitOfTouching(method)) : followed;
 }
 
 /// Whether any particle touches a body.

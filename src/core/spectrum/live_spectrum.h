@@ -50,6 +50,7 @@ class LiveSpectrum {
   enum Which { kStiff, kDamped };
 
   void countApart(const Scene& scene);
+  [[nodiscard]] double limitOfTouching(const Method& method) const;
   [[nodiscard]] bool touches(const State<T>& state) const;
   void start(const Method& method, bool both);
   void startFrom(Which which, const LatticeWave& wave);
@@ -76,6 +77,7 @@ class LiveSpectrum {
   Acting acting_;
   double ofAir_ = 0;       ///< 1/s, that air adds to the damping of a motion at most
   double ofFriction_ = 0;  ///< the same of friction, where particles touch something
+  Mode held_;              ///< of a particle that something holds
   double time_ = 0;        ///< s, of the present state
   std::array<Follower, 2> followers_;
   Which turn_ = kStiff;

@@ -10,6 +10,7 @@
 
 #include <fmt/core.h>
 
+#include "core/scene/bodies.h"
 #include "study/limits/stability.h"
 #include "study/motion/error.h"
 #include "study/motion/progress.h"
@@ -78,7 +79,8 @@ Truth truthWithin(double ofSize, Task& task) {
   Truth truth;
   Scene scene = task.scene;
   scene.precision = Precision::Double;
-  scene.tolerance = truth.tolerance = std::max(ofSize, kTightestTruth) * task.size;
+  const double wanted = std::max(ofSize, kTightestTruth) * task.size;
+  scene.tolerance = truth.tolerance = std::min(wanted, largestTolerance(scene) / kLooser);
   // Where forces are extreme its steps may be so short that it would not end, whatever the springs alone allow.
   constexpr double kMostWork = 1e10, kFewest = 1e6, kMost = 3e7;  // evaluations times particles, and evaluations
   const double ofParticles = kMostWork / (double(scene.columns) * scene.rows);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/scene/bodies.h"
 #include "study/diet/diet_changes.h"
 #include "study/limits/stability.h"
 #include "tyg/methods.h"
@@ -36,7 +37,7 @@ SettingCandidate::SettingCandidate(const Scene& scene, const Method& method, Pre
   if (method.adaptive) {
     constexpr double kLoosestOfSize = 0.02;
     const double size = makeSheet(scene).size();
-    loosest_ = kLoosestOfSize * size;
+    loosest_ = std::min(kLoosestOfSize * size, largestTolerance(scene));
     tightest_ = epsilonOf(precision) * size;  // rounding within a single step is larger than anything less
     return;
   }

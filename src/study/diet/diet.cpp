@@ -115,7 +115,7 @@ using ChangeRow = std::pair<Change, DietRow>;
 /// Every change that applies, alone.
 std::vector<ChangeRow> aloneOn(const DietRow& written, const Measures& measures) {
   std::vector<ChangeRow> alone;
-  const std::vector<Change> changes = allChanges();
+  const std::vector<Change> changes = allChanges(written.scene);
   for (std::size_t k = 0; k < changes.size() && !measures.progress.stopped(); ++k) {
     measures.progress.advanceTo(kAloneShare * static_cast<double>(k) / static_cast<double>(changes.size()));
     if (std::optional<DietRow> best = bestOf(changes[k], written, measures)) {

@@ -7,6 +7,8 @@
 
 #include <fmt/core.h>
 
+#include "core/forces/terms/contact.h"
+#include "core/scene/bodies.h"
 #include "study/limits/stability.h"
 #include "tyg/methods.h"
 #include "tyg/sheet.h"
@@ -18,6 +20,10 @@ constexpr int kFewestSteps = 20;  // of a run: longer ones would leave out sampl
 
 std::vector<Changed> withoutTerm(Scene scene, const ForceTerm& term) {
   if (!hasTerm(scene, term)) return {};
+  if (&term == &ContactTerm::kTerm) {
+    if (scene.bodies.size() < 2) return {};  // the only body is left out by itself
+    return {{"no contact", withoutBodies(std::move(scene))}};
+  }
   leaveOut(scene, term);
   if (!(scene.air.density > 0)) scene.winds.clear();  // which blow nothing any more
   return {{fmt::format("no {}", term.name), std::move(scene)}};
@@ -27,6 +33,27 @@ std::vector<Changed> withUndampedSprings(const Scene& scene) {
   Scene undamped = withoutSpringDamping(scene);
   if (undamped == scene) return {};
   return {{"no spring damping", std::move(undamped)}};
+}
+
+bool touches(const Scene& scene) { return hasTerm(scene, ContactTerm::kTerm) && !scene.bodies.empty(); }
+
+std::vector<Changed> withoutThe(const Body& body, const Scene& scene) {
+  const auto found = std::ranges::find(scene.bodies, body);
+  if (!touches(scene) || found == scene.bodies.end()) return {};
+  const auto index = std::size_t(found - scene.bodies.begin());
+  return {{"no " + wordsFor(scene, index), withoutBody(scene, index)}};
+}
+
+std::vector<Changed> withoutFriction(Scene scene) {
+  if (!touches(scene) || !(scene.contact.friction > 0)) return {};
+  scene.contact.friction = 0;
+  return {{"no friction", std::move(scene)}};
+}
+
+std::vector<Changed> withUndampedContact(Scene scene) {
+  if (!touches(scene) || !(scene.contact.damping > 0)) return {};
+  scene.contact.damping = 0;
+  return {{"no contact damping", std::move(scene)}};
 }
 
 std::vector<Changed> inStillAir(Scene scene) {
@@ -46,7 +73,9 @@ std::vector<Changed> onHalfTheSheet(const Scene& scene) {
   const int columns = (scene.columns + 1) / 2, rows = (scene.rows + 1) / 2;
   const bool smaller = columns < scene.columns || rows < scene.rows;
   if (!smaller || std::max(columns, rows) < 2) return {};
-  return {{fmt::format("sheet {}x{}", columns, rows), withSheet(scene, columns, rows)}};
+  Scene half = withSheet(scene, columns, rows);
+  if (!fitsBodies(half)) return {};
+  return {{fmt::format("sheet {}x{}", columns, rows), std::move(half)}};
 }
 
 std::vector<Changed> inFloat(Scene scene) {
@@ -59,6 +88,7 @@ std::vector<Changed> withLongerSteps(Scene scene) {
   const Method& method = findMethod(scene.integrator);
   if (method.adaptive) {
     scene.tolerance *= 10;
+    if (scene.tolerance > largestTolerance(scene)) return {};
     return {{fmt::format("tolerance {:.2g} m", scene.tolerance), std::move(scene)}};
   }
   const double limit = kShareOfLimit * restLatticeLimit(scene, method), longest = scene.duration / kFewestSteps;
@@ -91,7 +121,7 @@ std::vector<Changed> byOtherMethods(const Scene& scene) {
 
 }  // namespace
 
-std::vector<Change> allChanges() {
+std::vector<Change> allChanges(const Scene& scene) {
   std::vector<Change> changes;
   const auto addTerms = [&](bool springs) {
     for (const ForceTerm* term : forceTerms()) {
@@ -101,8 +131,9 @@ std::vector<Change> allChanges() {
   addTerms(true);
   changes.push_back({Change::SpringDamping});
   addTerms(false);
-  for (const Change::Kind kind :
-       {Change::StillAir, Change::SteadyWind, Change::HalfSheet, Change::Float, Change::Step, Change::Method}) {
+  for (const Body& body : scene.bodies) changes.push_back({Change::OneBody, nullptr, body});
+  for (const Change::Kind kind : {Change::Friction, Change::ContactDamping, Change::StillAir, Change::SteadyWind,
+                                  Change::HalfSheet, Change::Float, Change::Step, Change::Method}) {
     changes.push_back({kind});
   }
   return changes;
@@ -114,6 +145,12 @@ std::vector<Changed> changesOf(const Scene& scene, const Change& change) {
       return withoutTerm(scene, *change.term);
     case Change::SpringDamping:
       return withUndampedSprings(scene);
+    case Change::OneBody:
+      return withoutThe(change.body, scene);
+    case Change::Friction:
+      return withoutFriction(scene);
+    case Change::ContactDamping:
+      return withUndampedContact(scene);
     case Change::StillAir:
       return inStillAir(scene);
     case Change::SteadyWind:

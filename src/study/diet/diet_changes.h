@@ -13,13 +13,27 @@ namespace tyg {
 
 /// A way to make a scene leaner.
 struct Change {
-  enum Kind { LeaveOut, SpringDamping, StillAir, SteadyWind, HalfSheet, Float, Step, Method };
+  enum Kind {
+    LeaveOut,
+    SpringDamping,
+    OneBody,
+    Friction,
+    ContactDamping,
+    StillAir,
+    SteadyWind,
+    HalfSheet,
+    Float,
+    Step,
+    Method
+  };
   Kind kind = LeaveOut;
   const ForceTerm* term = nullptr;  ///< LeaveOut: which
+  Body body{};                      ///< OneBody: which is left out, with its motions
   bool operator==(const Change&) const = default;
 };
-/// All of them: each term that may be left out, and what does not depend on terms.
-std::vector<Change> allChanges();
+/// All of them that a scene may have: each term that may be left out, each of its bodies, and what does not depend on
+/// terms.
+std::vector<Change> allChanges(const Scene& scene);
 
 /// A scene with one change made, and the change in words, such as `no bend` or `sheet 10x10`.
 struct Changed {
@@ -29,8 +43,9 @@ struct Changed {
 
 /// The scenes that a change can make of one: none where it does not apply, one, or several to choose from. Steps come
 /// from short to long: doubled as often as the method's limit at rest allows, then up to 0.95 of that limit; the first
-/// one comes even where it is past the limit. Adaptive methods get ten times the tolerance. Methods come at the scene's
-/// step, or at 0.95 of their own limit where that is shorter; those that refuse the scene are left out.
+/// one comes even where it is past the limit. Adaptive methods get ten times the tolerance, where bodies allow that.
+/// Methods come at the scene's step, or at 0.95 of their own limit where that is shorter; those that refuse the scene
+/// are left out. A sheet that is too coarse for its bodies is none.
 std::vector<Changed> changesOf(const Scene& scene, const Change& change);
 
 /// May a change be made again on top of itself?

@@ -14,7 +14,8 @@ namespace tyg {
 /// particles and of springs that takes less than a thousandth of any velocity in the whole run; springs so weak that
 /// pulled to twice their length they hold less than a thousandth of a particle's weight; pushes, winds, motions
 /// of pins and displacements of no size, outside the run, on a pinned particle, or without air; air around a chain,
-/// which has no cells. What costs more to find out, `tyg diet` measures.
+/// which has no cells; bodies that a sheet in free fall does not meet, and friction there or below a thousandth. What
+/// costs more to find out, `tyg diet` measures.
 std::vector<std::string> idleTerms(const Scene& scene);
 
 }  // namespace tyg

@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "core/scene/bodies.h"
 #include "study/motion/progress.h"
 #include "study/motion/resampled.h"
 #include "tyg/methods.h"
@@ -75,7 +76,7 @@ std::optional<Finer> onAFinerSheet(const Scene& scene, double size) {
   Scene finer = withSheet(scene, columns, rows);
   finer.integrator = "dopri54";
   finer.precision = Precision::Double;
-  finer.tolerance = kTolerance * size;
+  finer.tolerance = std::min(kTolerance * size, largestTolerance(finer));
   return Finer{Need::Kind::Sheet, fmt::format("sheet {}x{}", columns, rows), std::move(finer), kSheetShare};
 }
 

@@ -9,6 +9,9 @@
 #include <utility>
 
 #include "core/forces/term.h"
+#include "core/scene/bodies.h"
+#include "study/limits/stability.h"
+#include "tyg/methods.h"
 #include "tyg/simulation.h"
 #include "util/noise.h"
 
@@ -16,6 +19,9 @@ namespace tyg {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Of a resting particle, in layers.
+constexpr double kDepth = 100;
 
 enum class Outcome { Held, Failed, Unknown };
 
@@ -30,10 +36,17 @@ Outcome tried(double step, const Scene& scene, const Method& method, const Measu
   return !held ? Outcome::Unknown : *held ? Outcome::Held : Outcome::Failed;
 }
 
+/// From where it is predicted, or where nothing is stable from a step that certainly fails.
+double measuredFromPrediction(const Scene& scene, const Method& method, MeasurePlan plan) {
+  const double predicted = restLatticeLimit(scene, method);
+  plan.begin = predicted > 0 ? predicted : restLatticeLimit(scene, findMethod("symplectic-euler"));
+  return measuredLimit(scene, method, plan);
+}
+
 }  // namespace
 
 Scene linearRegime(Scene scene) {
-  scene = withoutSteadyForce(std::move(scene));
+  scene = withoutSteadyForce(withoutBodies(std::move(scene)));
   scene.winds.clear();
   scene.moves.clear();
   scene.pushes.clear();
@@ -49,6 +62,33 @@ Scene linearRegime(Scene scene) {
   return scene;
 }
 
+Scene restingParticle(Scene scene) {
+  constexpr double kTiny = 1e-4;                      // layers
+  constexpr double kFriction = 1e6, kSlowest = 1e-7;  // of the weight, along the plane
+  Contact contact = scene.contact;
+  contact.gap = 0;
+  if (contact.friction > 0) contact.friction = kFriction;
+  for (const ForceTerm* term : forceTerms()) {
+    if (term->family) leaveOut(scene, *term);
+  }
+  scene.columns = scene.rows = 1;
+  scene.pins.clear();
+  scene = linearRegime(std::move(scene));
+  // So deep the push is k l (u - 1/2), u the depth in layers.
+  const double push = contact.stiffness * contact.layer * (kDepth - 0.5);
+  const double weight = push / scene.particleMass;
+  scene.gravity = {contact.friction > 0 ? kSlowest * weight : 0, -weight, 0};
+  const double tiny = kTiny * contact.layer;
+  scene.displacements = {{{"", 0, 0}, {0, tiny, 0}}};
+  scene.contact = contact;
+  scene.bodies = {{.shape = Shape::Plane, .at = {0, kDepth * contact.layer, 0}}};
+  return scene;
+}
+
+bool isResting(const Simulation& particle) {
+  return std::abs(particle.position(0).y) < kDepth / 2 * particle.scene().contact.layer;
+}
+
 std::optional<bool> survives(const Scene& scene, const Method& method, const MeasurePlan& plan) {
   constexpr int kManyStages = 20;  // of a method that takes as many as it needs
   const int evaluations = method.evaluationsPerStep < 0 ? kManyStages : method.evaluationsPerStep + 1;
@@ -56,15 +96,17 @@ std::optional<bool> survives(const Scene& scene, const Method& method, const Mea
   const bool choosesSteps = method.adaptive && scene.tolerance > 0;
   if (!choosesSteps && scene.duration / scene.dt * evaluations * particles > plan.mostWork) return {};
   Simulation simulation(scene, method, {.threads = plan.threads});
-  bool stopped = false;
+  bool stopped = false, gone = false;
+  const auto isGone = [&] { return plan.holds && !plan.holds(simulation); };
   simulation.observe([&] {
+    gone = gone || isGone();
     stopped = stopped || (choosesSteps && double(simulation.forceEvaluations()) * particles > plan.mostWork);
     stopped = stopped || (plan.observer && !plan.observer());
-    return !stopped;
+    return !stopped && !gone;
   });
   simulation.advanceTo(scene.duration);
   if (stopped) return {};
-  return simulation.status() == Status::Ok;
+  return simulation.status() == Status::Ok && !gone && !isGone();
 }
 
 double measuredLimit(const Scene& scene, const Method& method, const MeasurePlan& plan) {
@@ -88,6 +130,16 @@ double measuredLimit(const Scene& scene, const Method& method, const MeasurePlan
   }
   while (outcome != Outcome::Unknown && failed > (1 + plan.resolution) * held) attempt((held + failed) / 2);
   return outcome == Outcome::Unknown ? kUnknown : held;
+}
+
+double measuredAtRest(const Scene& scene, const Method& method, const MeasurePlan& plan) {
+  const double ofSheet = measuredFromPrediction(linearRegime(scene), method, plan);
+  if (holdingTerm(scene).term == nullptr) return ofSheet;
+  const bool byContact = stepLimit(scene, method).byContact;
+  if (!byContact && std::isnan(ofSheet)) return ofSheet;
+  MeasurePlan ofParticle = plan;
+  ofParticle.holds = isResting;
+  return std::fmin(ofSheet, measuredFromPrediction(restingParticle(scene), method, ofParticle));
 }
 
 }  // namespace tyg

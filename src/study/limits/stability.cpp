@@ -10,6 +10,7 @@
 #include <span>
 
 #include "core/forces/term.h"
+#include "core/scene/bodies.h"
 #include "core/spectrum/level_line.h"
 #include "core/spectrum/rest_spectrum.h"
 #include "study/limits/wave_search.h"
@@ -154,6 +155,19 @@ double heldLimitOf(const Method& method, const Mode& mode) {
                                                : method.stableStep(mode.w2, mode.d);
 }
 
+/// The mode of those that limits the method.
+Mode worstHeldMode(const Scene& scene, const Method& method) {
+  const auto [along, across] = heldModes(scene);
+  if (method.stableStep == nullptr) return fastRate(across) > fastRate(along) ? across : along;
+  return heldLimitOf(method, across) < heldLimitOf(method, along) ? across : along;
+}
+
+/// Does the damping of a held particle set its limit rather than the stiffness?
+bool isHeldByItsDamping(const Method& method, const Mode& mode) {
+  if (method.stableStep == nullptr) return mode.discriminant() > 0;
+  return heldLimitOf(method, {0, mode.d}) < heldLimitOf(method, {mode.w2, 0});
+}
+
 /// Of the lattice alone.
 double latticeLimit(const Scene& scene, const Method& method) {
   const std::optional<Scene> sheet = RestSpectrum::smallSheet(scene);
@@ -166,6 +180,13 @@ double latticeLimit(const Scene& scene, const Method& method) {
   if (!small && isHeldByDamping(method, mode)) return unbounded;
   const double own = finiteSheetLimit(*sheet, method, mode);
   return finiteOrNone(std::max(StepLimit::kBelowMeeting * own, std::min(own, unbounded)));
+}
+
+bool isLimitedByContact(const Scene& scene, const Method& method, double predicted) {
+  if (holdingTerm(scene).term == nullptr) return false;
+  constexpr double kSame = 1e-3;  // of a search for the stages of a whole spectrum
+  const double without = latticeLimit(withoutBodies(scene), method);
+  return !(without <= (1 + (method.stableStep == nullptr ? kSame : 0)) * predicted);
 }
 
 }  // namespace
@@ -205,13 +226,10 @@ StepLimit stepLimit(const Scene& scene, const Method& method) {
   limit.predicted = restLatticeLimit(scene, method);
   limit.certified = certifiedLimit(scene, method);
   if (std::isnan(limit.predicted)) return limit;
-  const double held = heldLimit(scene, method);
-  limit.byContact = held == limit.predicted && !(latticeLimit(scene, method) <= held);
-  if (limit.byContact) {
-    const auto [along, across] = heldModes(scene);
-    const bool slides = heldLimitOf(method, across) < heldLimitOf(method, along);
-    limit.mode = slides ? across : along;
-    limit.byDamping = slides || method.stableStep(0, along.d) < method.stableStep(along.w2, 0);
+  if (isLimitedByContact(scene, method, limit.predicted)) {
+    limit.byContact = true;
+    limit.mode = worstHeldMode(scene, method);
+    limit.byDamping = isHeldByItsDamping(method, limit.mode);
     return limit;
   }
   const Lattice lattice(scene);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "core/spectrum/lattice.h"
 #include "tyg/method.h"
@@ -17,7 +18,7 @@ namespace tyg {
 /// stable; NaN where the method has no limit or nothing on the sheet sets one (free fall).
 double restLatticeLimit(const Scene& scene, const Method& method);
 /// The largest stable step (s) of a single particle that contact holds: along the normal w2 = k/m and d = 2 zeta
-/// sqrt(k/m), along the surface d = grip/m. NaN where nothing holds particles, or the method has no limit.
+/// sqrt(k/m), along the surface d = grip/m. NaN where nothing holds particles, or the method has no limit of modes.
 double heldLimit(const Scene& scene, const Method& method);
 /// The same as the first of the unbounded lattice, whatever the size of the sheet.
 double unboundedLimit(const Scene& scene, const Method& method);
@@ -48,10 +49,12 @@ StepLimit stepLimit(const Scene& scene, const Method& method);
 
 /// What the first failing motion looks like: `checkerboard`, `column stripes`, `row stripes`, `stripes` where it may be
 /// either, `rippled stripes`, `diagonal ripples`, `the whole sheet`, and in a chain `each against the next` or
-/// `ripples`; `none` where nothing fails.
+/// `ripples`; `a particle on the ball` where contact sets the limit; `none` where nothing fails.
 std::string appearanceOf(const Scene& scene, const StepLimit& limit);
 /// The same with the plane, the wave vector and the cause: `column stripes in plane, q = (3.14, 0.00), set by
-/// stiffness`.
+/// stiffness`; or `a particle on the ball, set by contact with the ball, not the springs`.
 std::string describe(const Scene& scene, const StepLimit& limit);
+/// What sets the limit, in a word: `stiffness` or `damping` of the springs, of contact `contact` or `friction`.
+std::string_view causeOf(const StepLimit& limit);
 
 }  // namespace tyg

@@ -33,15 +33,16 @@ std::string firstMode(const StabilityStudy& study, const StabilityCase& entry) {
   const StepLimit& limit = entry.limit;
   std::string appearance = appearanceOf(study.scene, limit);
   if (appearance == "none") return appearance;
+  if (limit.byContact) return std::string(causeOf(limit));
   return fmt::format("{} {} by {} q=({:.2f} {:.2f})", appearance, limit.outOfPlane ? "out of plane" : "in plane",
-                     limit.byDamping ? "damping" : "stiffness", limit.qx, limit.qy);
+                     causeOf(limit), limit.qx, limit.qy);
 }
 
 std::string tableLine(const StabilityStudy& study, const StabilityCase& entry) {
   const StepLimit& limit = entry.limit;
   std::string first = appearanceOf(study.scene, limit);
   if (first != "none") {
-    first.append(limit.outOfPlane ? ", out of plane" : "").append(limit.byDamping ? ", damping" : ", stiffness");
+    first.append(limit.outOfPlane ? ", out of plane" : "").append(", ").append(causeOf(limit));
   }
   return fmt::format("{:<16}  {:<7} {:>9} {:>9} {:>9} {:>9}   {}\n", entry.method->name, dampingOf(entry),
                      cell(limit.predicted), cell(limit.certified), cell(entry.atRest), cell(entry.inMotion), first);
@@ -118,7 +119,8 @@ std::string stabilityTable(const StabilityStudy& study) {
   table += "\n" + paragraph(
                       "predicted: from the modes of the sheet at rest with its pins. certified: for any deformation. "
                       "measured: the largest step found that keeps the energy alarm quiet, in tiny motions around "
-                      "rest and in the scene's own motion. none: no step; all: every step tried; -: does not exist "
+                      "rest, or in those of a particle that rests on a body where that is less, and in the scene's own "
+                      "motion. none: no step; all: every step tried; -: does not exist "
                       "or takes too long to measure.");
   for (const std::string& note : notesOn(study)) table += paragraph(note);
   return table;

@@ -33,7 +33,7 @@ void measure(StabilityCase& entry, const Scene& scene, const StabilityPlan& plan
   constexpr double kCoarse = 0.05, kInMotion = 0.005;
   tries.resolution = entry.limit.predicted > 0 ? tries.resolution : kCoarse;
   tries.steps = StabilityPlan::kSteps;
-  entry.atRest = measuredLimit(linearRegime(scene), *entry.method, tries);
+  entry.atRest = measuredAtRest(scene, *entry.method, tries);
   tries.resolution = entry.limit.predicted > 0 ? kInMotion : kCoarse;
   tries.steps = 0;
   entry.inMotion = measuredLimit(scene, *entry.method, tries);

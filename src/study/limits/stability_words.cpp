@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/scene/bodies.h"
 #include "study/limits/stability.h"
 
 namespace tyg {
@@ -21,6 +22,7 @@ Phase phaseOf(double q) {
 
 std::string appearanceOf(const Scene& scene, const StepLimit& limit) {
   if (std::isnan(limit.predicted)) return "none";
+  if (limit.byContact) return "a particle on " + bodiesInWords(scene);
   const Phase x = phaseOf(limit.qx), y = phaseOf(limit.qy);
   if (x == Phase::Same && y == Phase::Same) return "the whole sheet";
   if (scene.columns == 1 || scene.rows == 1) {
@@ -37,9 +39,18 @@ std::string appearanceOf(const Scene& scene, const StepLimit& limit) {
 std::string describe(const Scene& scene, const StepLimit& limit) {
   std::string appearance = appearanceOf(scene, limit);
   if (appearance == "none") return appearance;
+  if (limit.byContact) {
+    const bool slides = causeOf(limit) == "friction";
+    return fmt::format("{}, set by {} with {}, not the springs", appearance, slides ? "friction in contact" : "contact",
+                       bodiesInWords(scene));
+  }
   return fmt::format("{} {}, q = ({:.2f}, {:.2f}), set by {}", appearance,
-                     limit.outOfPlane ? "out of plane" : "in plane", limit.qx, limit.qy,
-                     limit.byDamping ? "damping" : "stiffness");
+                     limit.outOfPlane ? "out of plane" : "in plane", limit.qx, limit.qy, causeOf(limit));
+}
+
+std::string_view causeOf(const StepLimit& limit) {
+  if (limit.byContact) return limit.mode.w2 > 0 ? "contact" : "friction";
+  return limit.byDamping ? "damping" : "stiffness";
 }
 
 }  // namespace tyg

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/scene/bodies.h"
 #include "tyg/methods.h"
 
 namespace tyg {
@@ -66,7 +67,7 @@ std::vector<SheetDistance> sheetDistances(const Scene& scene, const SampledMotio
   for (const Grid& grid : grids) {
     Scene fine = withSheet(scene, grid.columns, grid.rows);
     fine.precision = Precision::Double;
-    fine.tolerance = kTolerance * makeSheet(scene).size();
+    fine.tolerance = std::min(kTolerance * makeSheet(scene).size(), largestTolerance(fine));
     const auto share = workOf(grid) / work;
     const SampledMotion run = sampledRun(
         fine, findMethod("dopri54"), motion.times,

@@ -1,5 +1,5 @@
 // The first push, motion or wind says when something happens; a scene without one has swung furthest after a good
-// quarter of a swing.
+// quarter of a swing, or has come to lie on what it falls onto after a second.
 #include "study/motion/telling_moment.h"
 
 #include <algorithm>
@@ -13,7 +13,8 @@ double tellingMoment(const Scene& scene) {
     constexpr double kLongEnough = 1.5;  // s, for a wind to have shaped a cloth
     return std::min(scene.winds[0].at + std::min(scene.winds[0].duration, kLongEnough), scene.duration);
   }
-  return std::min(0.45, scene.duration);
+  constexpr double kSwing = 0.45, kDrape = 1;  // s
+  return std::min(scene.bodies.empty() ? kSwing : kDrape, scene.duration);
 }
 
 }  // namespace tyg

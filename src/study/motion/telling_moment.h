@@ -6,8 +6,9 @@
 
 namespace tyg {
 
-/// In s: the end of the scene's first push, else of its first motion of pins, else 1.5 s after its first wind began or
-/// its end; without any of these 0.45 s. The end of the run where that is earlier.
+/// In s: the end of the scene's first push, else of its first motion of pins or bodies, else 1.5 s after its first wind
+/// began or its end; without any of these 0.45 s, or 1 s where there are bodies. The end of the run where that is
+/// earlier.
 double tellingMoment(const Scene& scene);
 
 }  // namespace tyg

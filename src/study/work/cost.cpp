@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/forces/term.h"
+#include "core/forces/terms/contact.h"
 #include "core/forces/terms/springs.h"
 #include "tyg/methods.h"
 
@@ -111,6 +112,18 @@ std::string keyOf(const Scene& scene, int threads) {
   return key;
 }
 
+/// Of a particle, in springs, where half of the cloth touches each body: finding who is near costs once.
+double contactCost(const Scene& scene) {
+  if (!hasTerm(scene, ContactTerm::kTerm) || scene.bodies.empty()) return 0;
+  constexpr double kNear = 1.5, kPlane = 1, kBall = 1.5, kOther = 3, kFriction = 0.75;
+  double springs = kNear;
+  for (const Body& body : scene.bodies) {
+    springs += body.shape == Shape::Plane ? kPlane : body.shape == Shape::Ball ? kBall : kOther;
+    if (scene.contact.friction > 0) springs += kFriction;
+  }
+  return springs;
+}
+
 }  // namespace
 
 std::int64_t workOf(const Method& method, const SampledMotion& run) {
@@ -121,6 +134,7 @@ double countedCost(const Scene& scene) {
   constexpr double kParticle = 2, kDamper = 0.5, kCell = 1.5, kWind = 0.5, kFloat = 0.6;
   const Sheet sheet = makeSheet(scene);
   double springs = (kParticle + (particleDamping(scene) > 0 ? kDamper : 0)) * sheet.count();
+  springs += contactCost(scene) * sheet.count();
   for (const Family family : kFamilies) {
     const SpringFamily& law = familyOf(scene, family);
     const double each = law.present() ? 1 + (law.kd > 0 ? kDamper : 0) : 0;

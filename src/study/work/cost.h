@@ -16,8 +16,8 @@ namespace tyg {
 std::int64_t workOf(const Method& method, const SampledMotion& run);
 
 /// What a force evaluation of a scene's grid, terms and precision costs, counted instead of measured: in springs, of
-/// which a particle counts as two, its drag and the damping of a spring as half a one, and everything 0.6 times in
-/// float.
+/// which a particle counts as two, its drag and the damping of a spring as half a one, a body that it may touch as one
+/// to three and its friction as three quarters, and everything 0.6 times in float.
 double countedCost(const Scene& scene);
 
 /// Seconds that one unit of work of a scene takes, by the scene's own method, step, precision, grid and terms.

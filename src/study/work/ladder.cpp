@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "core/forces/term.h"
+#include "core/scene/bodies.h"
 #include "study/limits/stability.h"
 #include "study/motion/sampled_motion.h"
 #include "tyg/methods.h"
@@ -57,7 +58,10 @@ std::vector<Rung> toleranceLadder(const Scene& scene) {
   const int coarsest = static_cast<int>(std::floor(std::log10(0.02 * makeSheet(scene).size())));
   std::vector<Rung> rungs;
   rungs.reserve(kTolerances);
-  for (int k = 0; k < kTolerances; ++k) rungs.push_back({scene.dt, powerOfTen(coarsest - k)});
+  for (int k = 0; k < kTolerances; ++k) {
+    const double tolerance = powerOfTen(coarsest - k);
+    if (tolerance <= largestTolerance(scene)) rungs.push_back({scene.dt, tolerance});
+  }
   return rungs;
 }
 

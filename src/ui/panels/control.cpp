@@ -15,6 +15,7 @@
 #include <fmt/core.h>
 
 #include "core/forces/term.h"
+#include "core/scene/bodies.h"
 #include "core/scene/same_sides.h"
 #include "tyg/methods.h"
 #include "viewer/edits.h"
@@ -74,6 +75,7 @@ class ControlPanel final : public Panel {
     heading("Sheet", "a change starts it anew");
     drawSheet(scope, wanted);
     ImGui::PopStyleVar();
+    holdTolerance(wanted);
     take(viewer, wanted);
     // After a start anew, which forgets notes.
     if (!draft_ && !clamped_.empty()) viewer.notes().say(std::exchange(clamped_, {}));
@@ -89,6 +91,14 @@ class ControlPanel final : public Panel {
       return;
     }
     viewer.scenes().use(wanted);
+  }
+
+  /// Coarser steps would miss the bodies, whether a person takes a larger tolerance or a thinner layer.
+  void holdTolerance(Scene& wanted) {
+    const double most = largestTolerance(wanted);
+    if (!(wanted.tolerance > most)) return;
+    wanted.tolerance = most;
+    clamped_ = fmt::format("tolerance: {:.3g} mm is the most, a thousandth of the layer of contact", 1e3 * most);
   }
 
   static void drawScene(const PanelScope& scope, Scene& wanted) {
@@ -205,7 +215,9 @@ class ControlPanel final : public Panel {
     }
     try {
       const Grid grid = withBothSides(wanted, {size_[0], size_[1]});
-      wanted = withSheet(wanted, grid.columns, grid.rows);
+      const Scene resized = withSheet(wanted, grid.columns, grid.rows);
+      refuseUnfitBodies(resized);
+      wanted = resized;
     } catch (const InputError& error) {
       viewer.notes().warn(error.what());
     }
