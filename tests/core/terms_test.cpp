@@ -68,6 +68,39 @@ TEST(Terms, StoreOrTakeAllOfTheirPower) {
   }
 }
 
+TEST(Terms, OfACutSheetStoreOrTakeAllOfTheirPower) {
+  Numbers numbers(41);
+  for (int draw = 0; draw < 40; ++draw) {
+    Scene scene = randomScene(19, 7, numbers);
+    scene.air = {1.2, 1.2}, scene.winds = {{.velocity = {1, 2, 3}}};
+    Bench<double> bench(scene);
+    Sheet cut = bench.sheet;
+    cut.missing = cut.missing.withCut(19, 7, {numbers.between(-1, 19), numbers.between(-1, 7), 9.5, 3.5});
+    bench.forces.useSheet(cut);
+    shake(bench, 0.3, numbers);
+    for (const int pin : cut.pins) bench.state.velocity.set(pin, {});
+    const std::vector<Vec3> force = bench.force();
+    double power = 0, scale = 0;
+    for (int i = 0; i < cut.count(); ++i) {
+      power += dot(force[std::size_t(i)], bench.state.velocity.get(i));
+      scale += length(force[std::size_t(i)]) * length(bench.state.velocity.get(i));
+    }
+    const auto stored = [&](double seconds) {
+      State<double> state = bench.state;
+      for (int i = 0; i < cut.count(); ++i) {
+        state.position.set(i, state.position.get(i) + seconds * state.velocity.get(i));
+      }
+      const StoredEnergy energy = bench.forces.energy(0, state);
+      return energy.sum() - energy.kinetic;
+    };
+    constexpr double kStep = 1e-6;
+    const double storing = (stored(kStep) - stored(-kStep)) / (2 * kStep);
+    const Power passing = bench.forces.powerOf(0, bench.state.position, bench.state.velocity);
+    const double taken = passing.lost - std::accumulate(passing.supplied.begin(), passing.supplied.end(), 0.0);
+    EXPECT_NEAR(power + storing + taken, 0, 1e-6 * scale) << draw;
+  }
+}
+
 TEST(Terms, ResistEveryMotionAlikeByTheDampingThatTheySay) {
   for (const ForceTerm* term : forceTerms()) {
     if (term->particleDamping == nullptr) continue;

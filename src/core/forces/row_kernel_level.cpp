@@ -24,12 +24,13 @@ constexpr void fillAccumulate(RowKernels<T>& kernels) {
   byDamping[int(DampingTerm::None)] = accumulateRow<T, kFamilies, DampingTerm::None, Terms, false>;
   byDamping[int(DampingTerm::Relative)] = accumulateRow<T, kFamilies, DampingTerm::Relative, Terms, false>;
   byDamping[int(DampingTerm::Axial)] = accumulateRow<T, kFamilies, DampingTerm::Axial, Terms, false>;
-  // Rows of which something is gone are few: they all take the loops of the full model.
+  // Rows of which something is gone leave to their neighbours what the same families leave, but may have structural
+  // springs besides.
   AccumulateRow<T>(&masked)[3] = kernels.masked[cellTerms][families];
-  constexpr int kAll = families == 0 ? 0 : kStructural | kShear | kBend;
-  masked[int(DampingTerm::None)] = accumulateRow<T, kAll, DampingTerm::None, Terms, true>;
-  masked[int(DampingTerm::Relative)] = accumulateRow<T, kAll, DampingTerm::Relative, Terms, true>;
-  masked[int(DampingTerm::Axial)] = accumulateRow<T, kAll, DampingTerm::Axial, Terms, true>;
+  constexpr int kMasked = kFamilies == 0 ? 0 : kFamilies | kStructural;
+  masked[int(DampingTerm::None)] = accumulateRow<T, kMasked, DampingTerm::None, Terms, true>;
+  masked[int(DampingTerm::Relative)] = accumulateRow<T, kMasked, DampingTerm::Relative, Terms, true>;
+  masked[int(DampingTerm::Axial)] = accumulateRow<T, kMasked, DampingTerm::Axial, Terms, true>;
 }
 template <class T, unsigned... cellTerms>
 constexpr void fillAllAccumulate(RowKernels<T>& kernels, std::integer_sequence<unsigned, cellTerms...> /*subsets*/) {

@@ -64,7 +64,7 @@ void SheetChanges::mend(int cuts) {
 
 void SheetChanges::tear(std::span<const SpringEnds> tooLong) {
   for (const SpringEnds& ends : tooLong) {
-    const bool isAcross = ends.second == ends.first + 1;
+    const bool isAcross = sheet_.columns > 1 && ends.second == ends.first + 1;
     if (sheet_.missing.has(ends.first, isAcross ? Missing::Right : Missing::Down)) continue;
     const double column = ends.first % sheet_.columns, row = int(ends.first / sheet_.columns);
     const CutLine dual = isAcross ? CutLine{column + 0.5, row - 0.5, column + 0.5, row + 0.5}
