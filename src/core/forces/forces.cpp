@@ -2,14 +2,10 @@
 #include "core/forces/forces.h"
 
 #include <algorithm>
-#include <array>
-#include <atomic>
-#include <thread>
 #include <utility>
 #include <vector>
 
-#include "core/forces/masks.h"
-#include "core/forces/row_kernel.h"
+#include "core/forces/forces_kernel.h"
 #include "core/forces/term.h"
 #include "util/workers.h"
 
@@ -45,80 +41,7 @@ void fill(AllTerms::Numbers<T>& numbers, const Scene& scene, const Sheet& sheet)
   });
 }
 
-/// The numbers of the terms at a moment.
-template <class T>
-void setMoment(AllTerms::Numbers<T>& numbers, AllTerms::Moment<T>& moments, const Scene& scene, const Acting& acting,
-               double time) {
-  AllTerms::forEach([&]<class Term>() {
-    if constexpr (requires { typename Term::template Moment<T>; }) {
-      Term::template setMoment<T>(scene, acting, time, static_cast<MomentOf<Term, T>&>(moments).moment, numbers);
-    }
-  });
-}
-
-/// How far a group of steps has come, alone on its cache line.
-struct alignas(64) Progress {
-  std::atomic<int> rows{0};
-
-  /// Another thread works on it right now: spinning is short, and gives way where threads share cores.
-  void await(int wanted) const {
-    for (int spin = 0; rows.load(std::memory_order_acquire) < wanted; ++spin) {
-      if (spin > 1000) std::this_thread::yield();
-    }
-  }
-};
-
-constexpr int kGroup = 4;
-
 }  // namespace
-
-template <class T>
-struct Forces<T>::Kernel {
-  explicit Kernel(Sheet ofSheet) : sheet(std::move(ofSheet)) {}
-
-  const RowKernels<T>& kernels = rowKernels<T>();
-  Sheet sheet;
-  Scene scene;  // its parameters are those in use
-  Acting acting;
-  RowTask<T> task;  // all that does not change from call to call; its loops store the forces
-  EnergyRow<T> energyRow;
-  AlignedVector<T> hasRight, hasRight2, isFree;
-  RowMasks<T> masks;
-  AlignedVector<T> isFreeOrMoves;            // where pins move, else empty
-  VectorField<T> forceOnPins;                // where pins move: scratch memory
-  std::vector<AlignedVector<T>> scratch;     // per thread and step of a group
-  std::vector<StoredEnergy> rowEnergies;     // per row
-  std::vector<Power> rowPowers;              // W, per row
-  std::vector<AllTerms::Moment<T>> moments;  // per thread and step of a group
-  AllTerms::Moment<double> energyMoment;
-  unsigned particleTerms = 0, blockTerms = 0, cellTerms = 0;  // that the scene has, a bit each
-  bool hasPower = false;                               // whether anything takes or brings power, pins not counted
-  std::vector<PushedParticle<T>> pushes;               // by row
-  std::array<Progress, kMostSteps / kGroup> finished;  // rows, by each group of steps
-
-  /// The loops that finish rows in which no push acts.
-  [[nodiscard]] FinishForces<T> finish(Update update) const { return kernels.finish[int(update)][particleTerms][0]; }
-  /// One row, with the pushes that act in it. Where there are none at all, nothing is looked up.
-  void run(RowTask<T>& rowTask, Update update, int row, bool finishes) const {
-    if (!pushes.empty()) {
-      const auto first = std::ranges::lower_bound(pushes, row, {}, &PushedParticle<T>::row);
-      const auto end = std::ranges::upper_bound(first, pushes.end(), row, {}, &PushedParticle<T>::row);
-      rowTask.firstPush = std::to_address(first), rowTask.endPush = std::to_address(end);
-      rowTask.finish = kernels.finish[int(update)][particleTerms][first == end ? 0 : 1];
-    }
-    if (!masks.none()) {
-      rowTask.there = masks.of(row);
-      (rowTask.there != nullptr ? rowTask.masked : rowTask.accumulate)(rowTask, row, finishes);
-      return;
-    }
-    rowTask.accumulate(rowTask, row, finishes);
-  }
-  T* cleanScratch(int slot) {
-    AlignedVector<T>& memory = scratch[static_cast<std::size_t>(slot)];
-    std::fill(memory.begin(), memory.end(), T(0));
-    return memory.data();
-  }
-};
 
 template <class T>
 Forces<T>::Forces(const Scene& scene, const Sheet& sheet, Workers& workers)
@@ -234,59 +157,6 @@ void Forces<T>::runBands(const Change& change, double time, const VectorField<T>
     task.position = position.x(), task.velocity = velocity.x(), task.force = force.x();
     task.scratch = k.cleanScratch(thread);
     for (int row = std::max(0, first - 2); row < last; ++row) k.run(task, Update::Store, row, row >= first);
-  });
-}
-
-template <class T>
-void Forces<T>::kickAndDrift(State<T>& state, double h, const StepTimes& times, int count) {
-  RowTask<T> task = kernel_->task;
-  task.finish = kernel_->finish(Update::KickAndDrift);
-  task.velocity = state.velocity.x();
-  task.kick = T(h * inverseMass_);
-  advance(task, Update::KickAndDrift, state, h, count, [&](int step) { return times.at(step); });
-}
-
-template <class T>
-void Forces<T>::leapfrog(State<T>& state, VectorField<T>& predicted, const StepTimes& times, int count) {
-  const double h = times.h;
-  RowTask<T> task = kernel_->task;
-  task.finish = kernel_->finish(Update::Leapfrog);
-  task.velocity = task.seen = predicted.x();
-  task.kick = T(h / 2 * inverseMass_);
-  advance(task, Update::Leapfrog, state, h, count, [&](int step) { return times.at(step) + h; });
-}
-
-/// Steps follow each other down the sheet: a step may finish a row once the step before has finished the two below it.
-/// Steps in groups of kGroup stay within one thread's cache; groups are dealt out to the threads in turn.
-template <class T>
-template <class Task, class TimeOf>
-void Forces<T>::advance(Task task, Update update, State<T>& state, double h, int count, TimeOf timeOf) {
-  Kernel& k = *kernel_;
-  task.position = task.moving = state.position.x();
-  task.kicked = state.velocity.x();
-  task.step = T(h);
-  account_.evaluations += count;
-  const int rows = layout_.rows, groups = (count + kGroup - 1) / kGroup;
-  for (int group = 0; group < groups; ++group) k.finished[std::size_t(group)].rows.store(0, std::memory_order_relaxed);
-  workers_.forBands(workers_.threads(), [&](int first, int, int thread) {
-    for (int group = first; group < groups; group += workers_.threads()) {
-      const int steps = std::min(kGroup, count - group * kGroup), lag = 2 * (steps - 1);
-      std::array<RowTask<T>, kGroup> tasks;
-      for (int step = 0; step < steps; ++step) {
-        tasks[std::size_t(step)] = task;
-        tasks[std::size_t(step)].scratch = k.cleanScratch(thread * kGroup + step);
-        setMoment<T>(tasks[std::size_t(step)], k.moments[std::size_t(thread * kGroup + step)], k.scene, k.acting,
-                     timeOf(group * kGroup + step));
-      }
-      for (int front = 0; front < rows + lag; ++front) {
-        if (group > 0) k.finished[std::size_t(group - 1)].await(std::min(front + 3, rows));
-        for (int step = 0; step < steps; ++step) {
-          const int row = front - 2 * step;
-          if (row >= 0 && row < rows) k.run(tasks[std::size_t(step)], update, row, true);
-        }
-        k.finished[std::size_t(group)].rows.store(front - lag + 1, std::memory_order_release);
-      }
-    }
   });
 }
 

@@ -27,14 +27,14 @@ struct Parameter {
   Vec3 (*get)(const Scene& scene);  ///< a single number is x
   void (*set)(Scene& scene, const Vec3& value);
   Role role = Role::Other;
-  bool required = false;                       ///< where a scene has the table of its term
-  bool decidesPresence = true;                 ///< 0 leaves the term out; false: it only says how the term acts
-  bool (*acts)(const Scene& scene) = nullptr;  ///< whether it does anything there; null: wherever its term does
+  bool required = false;                         ///< where a scene has the table of its term
+  bool decidesPresence = true;                   ///< 0 leaves the term out; false: it only says how the term acts
+  bool (*acts)(const Scene& scene) = nullptr;    ///< whether it does anything there; null: wherever its term does
   bool (*exists)(const Scene& scene) = nullptr;  ///< whether the scene has what it is a number of; null: always
   /// What the scene calls it; null or empty: the label.
   std::string_view (*nameIn)(const Scene& scene) = nullptr;
-  bool isSpeed = false;                        ///< a vector that people set by its size and its direction
-  bool ofList = false;  ///< of the first table of a list such as [[wind]], which scene files have besides the term
+  bool isSpeed = false;  ///< a vector that people set by its size and its direction
+  bool ofList = false;   ///< of the first table of a list such as [[wind]], which scene files have besides the term
   bool isShareOfSheet = false;  ///< a particle's share of what the whole sheet has, as its mass is
   double mostByHand = 0;        ///< the largest size that a panel lets a person set, > 0 for terms
   int digits = 0;               ///< that a panel shows
