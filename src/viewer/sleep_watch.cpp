@@ -22,7 +22,9 @@ bool somethingIsToCome(const Simulation& simulation) {
     const bool isSteady = wind.gust == Vec3{} && wind.at <= simulation.time() && std::isinf(wind.duration);
     return !isSteady && isToCome(wind);
   };
-  return std::ranges::any_of(scene.pushes, isToCome) || std::ranges::any_of(scene.moves, isToCome) ||
+  const auto isCutToCome = [&](const Cut& cut) { return cut.at > simulation.time(); };
+  return std::ranges::any_of(scene.cuts, isCutToCome) || std::ranges::any_of(scene.pushes, isToCome) ||
+         std::ranges::any_of(scene.moves, isToCome) ||
          (scene.air.density > 0 && std::ranges::any_of(scene.winds, changes));
 }
 

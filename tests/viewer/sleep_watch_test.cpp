@@ -51,6 +51,9 @@ TEST(SleepWatch, LetsNothingSleepWhileGustsBlowOrAMotionIsToCome) {
   scene.moves = {{{{"top"}}, {}, 60, 1}};
   EXPECT_FALSE(sleepTime(scene));
   scene.moves.clear();
+  scene.cuts = {{{0.5, -1, 0.5, 5}, 60}};
+  EXPECT_FALSE(sleepTime(scene));
+  scene.cuts.clear();
   scene.air = {1.2, 1.2}, scene.winds = {{.velocity = {0, 0, 1}, .gust = {1e-9, 0, 0}, .wavelength = 1000}};
   EXPECT_FALSE(sleepTime(scene));
   scene.winds[0].gust = {}, scene.winds[0].wavelength = 0;

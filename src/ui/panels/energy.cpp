@@ -107,7 +107,7 @@ class EnergyPanel final : public Panel {
   }
 
  private:
-  static constexpr float kPlotHeight = 9, kDriftHeight = 4.5F, kGraphHeight = 8;  ///< text sizes
+  static constexpr float kPlotHeight = 9, kDriftHeight = 4.5F, kGraphHeight = 8, kNodeHeight = 2.5F;  ///< text sizes
   static constexpr double kNever = std::numeric_limits<double>::infinity();
   static constexpr double kLeastDrift = 1e-9;   ///< %: below it is rounding
   static constexpr double kPowerSeconds = 0.2;  ///< long enough to read, short enough to see a push
@@ -159,32 +159,45 @@ class EnergyPanel final : public Panel {
   /// The bond graph: sources at the left, the masses in the middle, springs and dampers at the right.
   void bonds(const PanelScope& scope, std::span<const Amount> amounts) {
     const ImVec2 origin = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x, height = std::ceil(kGraphHeight * scope.size);
-    ImGui::Dummy({width, height});
     const std::optional<PowerFlow> known = flow(scope);
     const PowerFlow flow = known.value_or(powerBetween(ledger_, ledger_, 1));
+    const std::size_t nodes = std::max(flow.sources().size(), flow.sinks().size());
+    const float tallest = std::max(kGraphHeight, kNodeHeight * float(nodes));
+    const float width = ImGui::GetContentRegionAvail().x, height = std::ceil(tallest * scope.size);
+    ImGui::Dummy({width, height});
     most_ = std::max(0.98 * most_, std::numeric_limits<double>::min());
     for (const std::span<const PowerFlow::Bond> side : {flow.sources(), flow.sinks()}) {
       for (const PowerFlow::Bond& each : side) most_ = std::max(most_, std::abs(each.watts));
     }
     const float half = 2.6F * scope.size;
     const ImVec2 masses{origin.x + width / 2, origin.y + height / 2};
-    const auto named = [&](ImVec2 middle, std::string_view name) {
-      const auto amount = std::ranges::find(amounts, name, &Amount::holder);
+    // Bodies store energy at the right, and do work at the left.
+    const auto named = [&](ImVec2 middle, std::string_view name, bool driving) {
+      const auto is = [&](const Amount& amount) {
+        return amount.holder == name && (!driving || amount.channel >= Work || !doesWork(amounts, name));
+      };
+      const auto amount = std::ranges::find_if(amounts, is);
       node(scope, middle, half, *amount, seriesColour(std::size_t(amount - amounts.begin()), scope.background));
     };
     const auto draw = [&](std::span<const PowerFlow::Bond> side, bool driving) {
       for (std::size_t k = 0; k < side.size(); ++k) {
-        const float share = side.size() > 1 ? 0.18F + 0.64F * float(k) / float(side.size() - 1) : 0.5F;
+        const float edge = 0.72F * kNodeHeight / 2 * scope.size / height;
+        const float share = side.size() > 1 ? edge + (1 - 2 * edge) * float(k) / float(side.size() - 1) : 0.5F;
         const ImVec2 at{driving ? origin.x + half : origin.x + width - half, origin.y + share * height};
         const Power power{side[k].watts, share < 0.5F, known.has_value()};
         driving ? bond(scope, at, masses, power) : bond(scope, masses, at, power);
-        named(at, side[k].name);
+        number(scope, at, masses, half, power);
+        named(at, side[k].name, driving);
       }
     };
     draw(flow.sources(), true);
     draw(flow.sinks(), false);
-    named(masses, "masses");
+    named(masses, "masses", false);
+  }
+
+  static bool doesWork(std::span<const Amount> amounts, std::string_view name) {
+    return std::ranges::any_of(amounts,
+                               [&](const Amount& amount) { return amount.holder == name && amount.channel >= Work; });
   }
 
   /// A box with what has this energy, in the colour of the energy's curve.
@@ -204,12 +217,13 @@ class EnergyPanel final : public Panel {
     bool above = false;  ///< the bond: that is where its number is written
     bool known = true;
   };
-  /// A line as wide as the power is great, with its head where the power goes and its number at the middle.
+  [[nodiscard]] bool isStill(const Power& power) const { return std::abs(power.watts) < 1e-3 * most_; }
+  /// A line as wide as the power is great, with its head where the power goes.
   void bond(const PanelScope& scope, ImVec2 from, ImVec2 to, const Power& power) const {
     const double watts = power.watts;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float share = float(std::abs(watts) / most_), thick = 1 + 0.5F * scope.size * std::min(share, 1.0F);
-    const bool still = share < 1e-3F;
+    const bool still = isStill(power);
     const Colour colour = still ? faded(scope.colours.dim, 0.5F) : scope.colours.accent;
     list.AddLine(from, to, colour, thick);
     const ImVec2 middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
@@ -221,12 +235,18 @@ class EnergyPanel final : public Panel {
                              {middle.x - head * (way.x - way.y) / 2, middle.y - head * (way.y + way.x) / 2},
                              {middle.x - head * (way.x + way.y) / 2, middle.y - head * (way.y - way.x) / 2}, colour);
     }
-    const std::string text = power.known ? fmt::format("{:.2g} W", std::abs(watts)) : "- W";
+  }
+  /// Beside the box at the outer end, where lines to many boxes lie farthest apart.
+  void number(const PanelScope& scope, ImVec2 outer, ImVec2 masses, float half, const Power& power) const {
+    const std::string text = power.known ? fmt::format("{:.2g} W", std::abs(power.watts)) : "- W";
     const float small = 0.85F * scope.size;
     const float extent = ImGui::GetFont()->CalcTextSizeA(small, 1e6F, 0, text.c_str()).x;
-    list.AddText(ImGui::GetFont(), small,
-                 {middle.x - extent / 2, middle.y + (power.above ? -1.85F : 0.95F) * scope.size},
-                 still ? scope.colours.dim : scope.colours.text, text.c_str());
+    const float sign = outer.x < masses.x ? 1.0F : -1.0F, beside = half + 0.3F * scope.size + extent / 2;
+    const float slope = (masses.y - outer.y) / std::abs(masses.x - outer.x);
+    const ImVec2 at{outer.x + sign * beside, outer.y + slope * beside};
+    ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), small,
+                                        {at.x - extent / 2, at.y + (power.above ? -1.3F : 0.35F) * scope.size},
+                                        isStill(power) ? scope.colours.dim : scope.colours.text, text.c_str());
   }
 
   Viewer* viewer_ = nullptr;  ///< whose ledger is being followed

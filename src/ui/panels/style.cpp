@@ -50,7 +50,9 @@ const Colours& coloursOn(Background background) { return background == Backgroun
 
 Colour seriesColour(std::size_t k, Background background) {
   const Series& series = background == Background::Dark ? kSeriesOnDark : kSeriesOnLight;
-  return series.at(k % series.size());
+  const Colour colour = series.at(k % series.size());
+  constexpr float kSecondRound = 0.55F;  // of the colour, so that a longer list repeats none
+  return k < series.size() ? colour : faded(colour, kSecondRound);
 }
 
 Colour faded(Colour colour, float share) { return ImGui::ColorConvertFloat4ToU32(unpacked(colour, share)); }
