@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Makes anew the pictures of the front page, of the first steps and of three studies, in docs/pictures:
+# Makes anew the pictures of the front page, of the first steps, of six scenes and of three studies, in docs/pictures:
 #   ./docs/make_pictures.sh [path of tyg]
-#   TYG_WINDOW_ONLY=1 ./docs/make_pictures.sh [path of tyg]      without the three studies
+#   TYG_WINDOW_ONLY=1 ./docs/make_pictures.sh [path of tyg]      without scenes and studies
 # The window is the real one, on a virtual screen, with real keys and clicks; it needs what tests/driving.sh needs, and
 # ffmpeg. Panels are pictured by make_panel_pictures.sh, charts by the commands that their pages name.
 set -euo pipefail
@@ -17,7 +17,20 @@ study() {
   mv "$folder/$2" "$pictures/$1"
   rm -r "$folder"
 }
+# Six scenes with wind and bodies, side by side.
+world() {
+  local folder each
+  folder=$(mktemp -d)
+  for each in ball,1.4 bridge,3 tablecloth,2.2 sail,3 storm,2.5 flag,3; do
+    "$tyg" render "${each%,*}" --at "${each#*,}" --size 640x400 --out "$folder/${each%,*}.png" >/dev/null
+  done
+  ffmpeg -loglevel error -y -i "$folder/ball.png" -i "$folder/bridge.png" -i "$folder/tablecloth.png" \
+    -i "$folder/sail.png" -i "$folder/storm.png" -i "$folder/flag.png" \
+    -filter_complex "xstack=inputs=6:layout=0_0|w0_0|w0+w1_0|0_h0|w0_h0|w0+w1_h0" "$pictures/world.png"
+  rm -r "$folder"
+}
 if [[ -z ${TYG_DRIVEN:-}${TYG_WINDOW_ONLY:-} ]]; then
+  world
   study four-particles.png plot.png plot four-particles
   study stability-curtain.png stability.png stability curtain
   study diet-curtain.png overlay.png diet curtain --within 5%
