@@ -105,6 +105,8 @@ struct Tear {
 struct Scene;
 /// The strain beyond which a structural spring breaks, as a fraction; infinite where nothing tears.
 double strainThatTears(const Scene& scene);
+/// Whether cuts or tears of the scene itself may take springs.
+bool losesSprings(const Scene& scene);
 
 enum class Shape { Plane, Ball, Capsule, Box };
 

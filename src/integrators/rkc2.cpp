@@ -65,10 +65,10 @@ class Rkc2 final : public Integrator<T> {
     std::swap(state, now_);
   }
   /// The waves do not depend on gravity, nor on the tolerance.
-  void useParameters(const Scene& scene, const Sheet& /*sheet*/) override {
+  void useParameters(const Scene& scene, const Sheet& sheet) override {
     const auto values = whatWavesDependOn(scene);
     if (values == modesOf_) return;
-    modes_ = chebyshevModes(scene);
+    modes_ = chebyshevModes(scene, !sheet.missing.none());
     modesOf_ = values;
     tableFor_ = 0;
   }
@@ -128,7 +128,7 @@ class Rkc2 final : public Integrator<T> {
 /// Doubled from far below until no number of stages holds every wave, then bisected. A wave without damping grows at
 /// any step: on the imaginary axis |P_s| > 1.
 double stableStepOfScene(const Scene& scene) {
-  const std::vector<Mode> modes = chebyshevModes(scene);
+  const std::vector<Mode> modes = chebyshevModes(scene, losesSprings(scene));
   const auto holds = [&](double h) { return chebyshevStages(modes, h).count != 0; };
   double fastest = 0;
   for (const Mode& mode : modes) fastest = std::max({fastest, std::sqrt(mode.w2), mode.d});

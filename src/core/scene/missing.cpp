@@ -53,6 +53,8 @@ double strainThatTears(const Scene& scene) {
   return std::sqrt(2 * scene.tear.toughness / (scene.structural.ks * scene.spacing));
 }
 
+bool losesSprings(const Scene& scene) { return !scene.cuts.empty() || std::isfinite(strainThatTears(scene)); }
+
 bool Missing::anyIn(int firstParticle, int columns) const {
   if (!bits_) return false;
   const auto first = bits_->begin() + firstParticle;
