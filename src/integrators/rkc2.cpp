@@ -68,7 +68,9 @@ class Rkc2 final : public Integrator<T> {
   void useParameters(const Scene& scene, const Sheet& sheet) override {
     const auto values = whatWavesDependOn(scene);
     if (values == modesOf_) return;
-    modes_ = chebyshevModes(scene, !sheet.missing.none());
+    modes_ = chebyshevModes(scene, false);
+    modesInPieces_.clear();
+    if (!sheet.missing.none()) modesInPieces_ = chebyshevModes(scene, true);
     modesOf_ = values;
     tableFor_ = 0;
   }
@@ -85,8 +87,11 @@ class Rkc2 final : public Integrator<T> {
     return {valuesOf(scene, Role::Stiffness), valuesOf(scene, Role::Damping), {Vec3{cellDamping(scene), across, 0}}};
   }
 
+  /// A step that is too long for whatever may be left of the sheet may still do for what really is.
   void chooseStages(double h) {
-    stages_ = chebyshevStages(modes_, h);
+    stages_ = {};
+    if (!modesInPieces_.empty()) stages_ = chebyshevStages(modesInPieces_, h);
+    if (stages_.count == 0) stages_ = chebyshevStages(modes_, h);
     if (stages_.count == 0) stages_.count = 2;
     table_ = std::make_shared<const ChebyshevTable>(stages_);
     tableFor_ = h;
@@ -117,6 +122,7 @@ class Rkc2 final : public Integrator<T> {
   }
 
   std::vector<Mode> modes_;
+  std::vector<Mode> modesInPieces_;           // where springs are gone, else empty
   std::array<std::vector<Vec3>, 3> modesOf_;  // of the scene that modes_ are of
   State<T> before_, now_, next_;
   VectorField<T> force0_, force_;
