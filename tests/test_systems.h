@@ -71,6 +71,21 @@ class Oracle {
     for (const int pin : sheet.pins) pinned_[std::size_t(pin)] = true;
   }
 
+  /// Leaves out what a cut takes, by the words of docs/model.md.
+  void cut(const CutLine& line) {
+    double nx = line.toRow - line.fromRow, ny = line.fromColumn - line.toColumn;
+    if (nx < 0 || (nx == 0 && ny < 0)) nx = -nx, ny = -ny;
+    const auto isBeyond = [&](double c, double r) { return nx * (c - line.fromColumn) + ny * (r - line.fromRow) >= 0; };
+    std::erase_if(springs_, [&](const Spring& spring) {
+      const auto columns = std::size_t(scene_.columns);
+      const double ac = double(spring.first % columns), ar = double(spring.first / columns);
+      const double bc = double(spring.second % columns), br = double(spring.second / columns);
+      const auto beside = [&](double c, double r) { return (bc - ac) * (r - ar) - (br - ar) * (c - ac); };
+      const double from = beside(line.fromColumn, line.fromRow), to = beside(line.toColumn, line.toRow);
+      return isBeyond(ac, ar) != isBeyond(bc, br) && !(from > 0 && to > 0) && !(from < 0 && to < 0);
+    });
+  }
+
   [[nodiscard]] bool pinned(std::size_t particle) const { return pinned_[particle]; }
 
   /// Newtons on every particle.

@@ -102,6 +102,12 @@ struct Tear {
   bool operator==(const Tear&) const = default;
 };
 
+struct Scene;
+/// The strain beyond which a structural spring breaks, as a fraction; infinite where nothing tears.
+double strainThatTears(const Scene& scene);
+/// Whether cuts or tears of the scene itself may take springs.
+bool losesSprings(const Scene& scene);
+
 enum class Shape { Plane, Ball, Capsule, Box };
 
 /// Something solid that the particles touch.

@@ -36,6 +36,8 @@ class Missing {
   /// ends are not strictly on one side of the spring's line. A particle on the line counts towards larger columns, on a
   /// cut along a row towards larger rows. A cell goes with any of its diagonals, whether or not these are springs.
   [[nodiscard]] Missing withCut(int columns, int rows, const CutLine& cut) const;
+  /// A state's hash, and what is gone: the same where nothing is.
+  [[nodiscard]] std::uint64_t mixedInto(std::uint64_t hash) const;
   bool operator==(const Missing& other) const;
 
  private:

@@ -144,7 +144,7 @@ class Simulation {
   [[nodiscard]] Vec3 velocity(int particle) const;  ///< m/s
   /// x, y, z of every particle in index order, for drawing; `xyz` holds 3 * count numbers.
   void copyPositions(std::span<float> xyz) const;
-  [[nodiscard]] std::uint64_t hash() const;
+  [[nodiscard]] std::uint64_t hash() const;  ///< of the positions, the velocities, and what cuts and tears have taken
 
   /// The energies now. This is an energy check as well: it never makes a later alarm less likely.
   Ledger ledger();

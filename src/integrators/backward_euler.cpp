@@ -28,6 +28,7 @@ class BackwardEuler final : public Integrator<T> {
         particleDamping_(T(particleDamping(scene))),
         cellDamping_(cellDampingTerm(scene) != nullptr),
         mass_(T(sheet.particleMass)),
+        missing_(sheet.missing),
         force_(Layout(sheet)) {
     const Layout& layout = force_.layout();
     index_.assign(std::size_t(layout.plane), -1);
@@ -132,7 +133,7 @@ class BackwardEuler final : public Integrator<T> {
     const AllTerms::Numbers<T> numbers = forces.numbersAt(time);
     const int columns = force_.layout().columns, rows = force_.layout().rows;
     for (int particle = 0; particle + columns < columns * rows; ++particle) {
-      if (particle % columns + 1 == columns) continue;
+      if (particle % columns + 1 == columns || missing_.has(particle, Missing::Cell)) continue;
       const auto corners = [&](const VectorField<T>& field) {
         const auto corner = [&](int k) { return at(field, places_[std::size_t(k)]); };
         return Corners<Vector>{corner(particle), corner(particle + 1), corner(particle + columns),
@@ -273,6 +274,7 @@ class BackwardEuler final : public Integrator<T> {
   T particleDamping_;
   bool cellDamping_;  // whether there is any
   T mass_, diagonal_ = 0;
+  Missing missing_;
   VectorField<T> force_;
   std::vector<int> index_;              // by place: the particle
   std::vector<std::ptrdiff_t> places_;  // by particle: its place

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/forces/term.h"
+#include "core/forces/terms/springs.h"
 #include "core/scene/bodies.h"
 #include "core/spectrum/rest_spectrum.h"
 #include "integrators/chebyshev_table.h"
@@ -51,11 +52,12 @@ double stiffnessPerDamping(Scene scene) {
 }
 
 /// Adds modes of every stiffness with the least damping that a motion of such stiffness has.
-void addLeastDamped(const Scene& scene, std::vector<Mode>& modes) {
+void addLeastDamped(const Scene& scene, bool inPieces, std::vector<Mode>& modes) {
   constexpr int kSamples = 100;
   Mode most;
   for (const Mode& mode : modes) most = {std::max(most.w2, mode.w2), std::max(most.d, mode.d)};
-  const double ratio = stiffnessPerDamping(scene), least = particleDamping(scene) / scene.particleMass;
+  const double ratio = inPieces ? mostStiffnessPerDamping(scene) : stiffnessPerDamping(scene);
+  const double least = particleDamping(scene) / scene.particleMass;
   for (int k = 1; k <= kSamples; ++k) {
     const double w2 = most.w2 * k * k / (kSamples * kSamples);
     modes.push_back({w2, std::min(most.d, least + w2 / ratio)});
@@ -102,7 +104,7 @@ ChebyshevTable::ChebyshevTable(const ChebyshevStages& stages)
 
 Complex chebyshevGrowth(const ChebyshevStages& stages, Complex z) { return growthOf(ChebyshevTable(stages), z); }
 
-std::vector<Mode> chebyshevModes(const Scene& scene) {
+std::vector<Mode> chebyshevModes(const Scene& scene, bool inPieces) {
   constexpr int kIntervals = 24;  // of the grid of phases, an axis
   const Lattice lattice(withoutBodies(scene));
   std::vector<Mode> all;
@@ -112,7 +114,7 @@ std::vector<Mode> chebyshevModes(const Scene& scene) {
     all.insert(all.end(), modes.begin(), axial ? modes.end() : modes.begin() + 3);  // the others repeat the first two
     if (!axial) all.push_back(lattice.anyDeformation(qx, qy));
   });
-  addLeastDamped(scene, all);
+  addLeastDamped(scene, inPieces, all);
   addHeld(scene, all);
   return all;
 }

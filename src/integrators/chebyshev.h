@@ -25,7 +25,8 @@ std::complex<double> chebyshevGrowth(const ChebyshevStages& stages, std::complex
 /// What stages are chosen for: the waves of the sheet at rest on a grid of phases; under the relative law, whose
 /// damping no deformation changes, each phase also with the largest stiffness that any deformation gives it; and for
 /// each stiffness the least damping that a motion of it has, since there is less at the edges of a sheet than inside.
-std::vector<Mode> chebyshevModes(const Scene& scene);
+/// `inPieces`: springs are gone, and a motion may have no more damping than that of the least damped family.
+std::vector<Mode> chebyshevModes(const Scene& scene, bool inPieces);
 
 /// The fewest stages, and of those the least damped, with |P_s(h mu)| <= 1 for both roots mu of every mode.
 ChebyshevStages chebyshevStages(std::span<const Mode> modes, double h);

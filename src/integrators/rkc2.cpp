@@ -65,10 +65,12 @@ class Rkc2 final : public Integrator<T> {
     std::swap(state, now_);
   }
   /// The waves do not depend on gravity, nor on the tolerance.
-  void useParameters(const Scene& scene, const Sheet& /*sheet*/) override {
+  void useParameters(const Scene& scene, const Sheet& sheet) override {
     const auto values = whatWavesDependOn(scene);
     if (values == modesOf_) return;
-    modes_ = chebyshevModes(scene);
+    modes_ = chebyshevModes(scene, false);
+    modesInPieces_.clear();
+    if (!sheet.missing.none()) modesInPieces_ = chebyshevModes(scene, true);
     modesOf_ = values;
     tableFor_ = 0;
   }
@@ -85,8 +87,11 @@ class Rkc2 final : public Integrator<T> {
     return {valuesOf(scene, Role::Stiffness), valuesOf(scene, Role::Damping), {Vec3{cellDamping(scene), across, 0}}};
   }
 
+  /// A step that is too long for whatever may be left of the sheet may still do for what really is.
   void chooseStages(double h) {
-    stages_ = chebyshevStages(modes_, h);
+    stages_ = {};
+    if (!modesInPieces_.empty()) stages_ = chebyshevStages(modesInPieces_, h);
+    if (stages_.count == 0) stages_ = chebyshevStages(modes_, h);
     if (stages_.count == 0) stages_.count = 2;
     table_ = std::make_shared<const ChebyshevTable>(stages_);
     tableFor_ = h;
@@ -117,6 +122,7 @@ class Rkc2 final : public Integrator<T> {
   }
 
   std::vector<Mode> modes_;
+  std::vector<Mode> modesInPieces_;           // where springs are gone, else empty
   std::array<std::vector<Vec3>, 3> modesOf_;  // of the scene that modes_ are of
   State<T> before_, now_, next_;
   VectorField<T> force0_, force_;
@@ -128,7 +134,7 @@ class Rkc2 final : public Integrator<T> {
 /// Doubled from far below until no number of stages holds every wave, then bisected. A wave without damping grows at
 /// any step: on the imaginary axis |P_s| > 1.
 double stableStepOfScene(const Scene& scene) {
-  const std::vector<Mode> modes = chebyshevModes(scene);
+  const std::vector<Mode> modes = chebyshevModes(scene, losesSprings(scene));
   const auto holds = [&](double h) { return chebyshevStages(modes, h).count != 0; };
   double fastest = 0;
   for (const Mode& mode : modes) fastest = std::max({fastest, std::sqrt(mode.w2), mode.d});

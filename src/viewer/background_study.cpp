@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "study/motion/tearing.h"
 #include "study/work/work_precision.h"
 #include "util/thread_priority.h"
 
@@ -134,11 +135,15 @@ void BackgroundStudy::study(const Job& job) {
                              std::to_string(kMostParticles) + "): tyg chart does it without one.");
   }
   const auto observer = [&](double fraction) { return report(job, kReferenceShare * fraction); };
-  const auto reference = std::make_shared<const Reference>(makeReference(job.scene, 1, observer));
+  const Tearing tearing = untilTearsDiffer(job.scene, 1, [&](double) { return goesOn(job); });
+  Job certain = job;
+  certain.scene = tearing.scene;
+  const auto reference = std::make_shared<const Reference>(makeReference(certain.scene, 1, observer));
   if (!goesOn(job)) return;
   if (!reference->usable()) throw std::runtime_error(whyNoReference(*reference));
   tell(job, [&](StudyProgress& told) { told.stage = Stage::Rows, told.reference = reference; });
-  rowsOf(job, reference);
+  rowsOf(certain, reference);
+  if (tearing.differs) tell(job, [&](StudyProgress& told) { told.refusals.push_back(tearing.words()); });
 }
 
 void BackgroundStudy::rowsOf(const Job& job, const std::shared_ptr<const Reference>& reference) {

@@ -43,6 +43,10 @@ void addWind(Scene& scene) {
   scene.winds = {{.velocity = {4, 0, 1}}};
 }
 
+void cutAcross(Scene& scene) { scene.cuts = {{{-1, kCount / 2 + 0.3, kCount, kCount / 2 + 0.3}, 0}}; }
+/// From top to bottom: something of every row is gone.
+void cutDown(Scene& scene) { scene.cuts = {{{kCount / 2 + 0.3, -1, kCount / 2 + 0.3, kCount}, 0}}; }
+
 /// A change of the curtain, and what is followed beside its motion.
 struct Variant {
   const char* name;
@@ -82,6 +86,8 @@ constexpr Variant kVariants[] = {
      [](Scene& s) {
        s.pushes = {{{"middle"}, {0, 0, 1e-3}, 0, 1e6}};
      }},
+    {"one cut across", cutAcross},
+    {"every row masked by a cut", cutDown},
     {"ledger", [](Scene&) {}, true},
 };
 

@@ -28,6 +28,7 @@ std::string hashAfter(Scene scene, const Method& method, Precision precision, co
   scene.precision = precision;
   for (Push& push : scene.pushes) push.at = 0.1 * (time / kTime);
   for (Move& move : scene.moves) move.at *= time / kTime;
+  for (Cut& cut : scene.cuts) cut.at = 0.1 * (time / kTime);
   Simulation simulation(scene, method, settings);
   simulation.advanceTo(time);
   // What a NaN looks like is up to the machine.

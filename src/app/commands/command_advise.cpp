@@ -9,6 +9,7 @@
 #include "app/output/progress.h"
 #include "app/reports/advice_report.h"
 #include "core/scene/scene_writer.h"
+#include "study/motion/tearing.h"
 #include "tyg/methods.h"
 #include "util/amounts.h"
 #include "util/calibration_clock.h"
@@ -68,8 +69,14 @@ std::vector<int> threadChoices(const AdviseOptions& options, const Scene& scene)
   return choices;
 }
 
-Advice advised(const AdviseOptions& options, const Scene& scene, const Request& request) {
+/// The scene is made to end where its tears become uncertain, which `tears` then says.
+Advice advised(const AdviseOptions& options, Scene& scene, const Request& request, std::string& tears) {
   Progress progress("tyg advise " + scene.name);
+  constexpr double kTears = 0.1;  // of the work
+  const int usual = options.scene.threads.value_or(defaultThreads(scene.columns * scene.rows));
+  Tearing tearing = untilTearsDiffer(scene, usual, progress.part(0, kTears));
+  scene = std::move(tearing.scene);
+  tears = tearing.words();
   CostMeter meter(scene, 1, calibrationClock);
   AdvicePlan plan;
   plan.request = request;
@@ -78,17 +85,19 @@ Advice advised(const AdviseOptions& options, const Scene& scene, const Request& 
   plan.threads = threadChoices(options, scene);
   plan.cost = [&](const Scene& priced, int threads) { return meter.secondsPerUnit(priced, threads); };
   plan.clock = calibrationClock;
-  plan.observer = progress.part();
+  plan.observer = progress.part(tears.empty() ? 0 : kTears, 1);
   return adviseOn(scene, plan);
 }
 
 int advise(const AdviseOptions& options) {
-  const Scene scene = chosenScene(options.scene);
+  Scene scene = chosenScene(options.scene);
   const Request request = requested(options, scene);
   if (!options.write.empty()) checkWritable(options.write);
   const InterruptWatch watch;
-  const Advice advice = advised(options, scene, request);
+  std::string tears;
+  const Advice advice = advised(options, scene, request, tears);
   if (interrupted()) return sayInterrupted("tyg advise");
+  if (!tears.empty()) std::cerr << "tyg advise: " << tears << std::endl;
   if (!options.write.empty() && advice.promise) {
     writeWholeFile(options.write, sceneToToml(advice.promise->scene, adviceComment(scene, advice)));
   }

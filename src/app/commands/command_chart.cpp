@@ -13,6 +13,7 @@
 #include "app/output/exit_code.h"
 #include "app/output/progress.h"
 #include "app/reports/chart_report.h"
+#include "study/motion/tearing.h"
 #include "study/work/work_precision.h"
 #include "tyg/methods.h"
 #include "util/amounts.h"
@@ -117,7 +118,13 @@ class Charting {
     threads_ = options.scene.threads.value_or(defaultThreads(scene.columns * scene.rows));
   }
 
-  Reference reference() { return makeReference(scene_, threads_, progress_.part(0, kReferencePart)); }
+  /// The scene ends where its tears become uncertain.
+  Reference reference() {
+    Tearing tearing = untilTearsDiffer(scene_, threads_, progress_.part(0, kTearsPart));
+    scene_ = tearing.scene;
+    tears_ = tearing.words();
+    return makeReference(scene_, threads_, progress_.part(kTearsPart, kReferencePart));
+  }
 
   std::vector<SheetDistance> sheets(const Reference& reference, const std::vector<Grid>& grids) {
     return sheetDistances(scene_, reference.motion, grids, threads_, progress_.part(kReferencePart, kReferencePart));
@@ -138,12 +145,14 @@ class Charting {
 
   [[nodiscard]] double budget() const { return options_.quick ? kQuickRunBudget : kRunBudget; }
   [[nodiscard]] int threads() const { return threads_; }
+  [[nodiscard]] const std::string& tears() const { return tears_; }
 
  private:
-  static constexpr double kReferencePart = 0.05;
+  static constexpr double kTearsPart = 0.02, kReferencePart = 0.05;
 
   const ChartOptions& options_;
-  const Scene& scene_;
+  Scene scene_;
+  std::string tears_;
   int threads_ = 1;
   Progress progress_;
 };
@@ -159,6 +168,11 @@ WorkChart chartOf(const Reference& reference, const Study& study, const Charting
   chart.rows = study.rows;
   chart.title = reference.scene.title + ": speed against accuracy";
   chart.notes = chartNotes(reference, machineName(), charting.threads());
+  if (!charting.tears().empty()) chart.notes.push_back(charting.tears());
+  if (study.tornElsewhere > 0) {
+    chart.notes.push_back(fmt::format("in {} of {} runs other springs broke before that than in the reference",
+                                      study.tornElsewhere, study.rows.size()));
+  }
   chart.duration = reference.scene.duration;
   chart.size = reference.size;
   chart.runBudget = charting.budget();

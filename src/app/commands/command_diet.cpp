@@ -12,6 +12,7 @@
 #include "app/output/two_cloths.h"
 #include "app/reports/diet_report.h"
 #include "core/scene/scene_writer.h"
+#include "study/motion/tearing.h"
 #include "util/amounts.h"
 #include "util/calibration_clock.h"
 #include "util/interrupt.h"
@@ -51,7 +52,15 @@ class Dieting {
         threads_(options.scene.threads.value_or(defaultThreads(scene.columns * scene.rows))),
         progress_("tyg diet " + scene.name) {}
 
-  Reference reference() { return makeReference(scene_, threads_, progress_.part(0, kReference)); }
+  /// The scene ends where its tears become uncertain, which is said once the progress line is gone.
+  Reference reference() {
+    Tearing tearing = untilTearsDiffer(scene_, threads_, progress_.part(0, kTears));
+    scene_ = tearing.scene;
+    tears_ = tearing.words();
+    return makeReference(scene_, threads_, progress_.part(kTears, kReference));
+  }
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+  [[nodiscard]] const std::string& tears() const { return tears_; }
 
   Diet diet(const Reference& reference, double within) {
     CostMeter meter(scene_, threads_, calibrationClock);
@@ -68,9 +77,10 @@ class Dieting {
   }
 
  private:
-  static constexpr double kReference = 0.4, kDiet = 0.8;  // where the parts end
+  static constexpr double kTears = 0.1, kReference = 0.4, kDiet = 0.8;  // where the parts end
 
-  const Scene& scene_;
+  Scene scene_;
+  std::string tears_;
   int threads_;
   Progress progress_;
 };
@@ -101,7 +111,7 @@ void writeFiles(const DietFindings& findings, const std::filesystem::path& folde
 }
 
 int diet(const DietOptions& options) {
-  const Scene scene = chosenScene(options.scene);
+  Scene scene = chosenScene(options.scene);
   const double within = parseLength("--within", options.within, makeSheet(scene).size());
   const std::vector<std::string> files{"diet.csv", "lean.toml", "overlay.png"};
   const std::filesystem::path folder = preparedFolder(options.out, files);
@@ -114,8 +124,11 @@ int diet(const DietOptions& options) {
   const std::string wrong = reference.stopped ? "" : obstacle(reference, within);
   if (!reference.stopped && wrong.empty()) found = dieting->diet(reference, within);
   if (!interrupted() && wrong.empty()) needs = dieting->needs(reference, found.judgedUpTo);
+  scene = dieting->scene();
+  const std::string tears = dieting->tears();
   dieting.reset();  // wipes the progress line
   if (interrupted()) return sayInterrupted("tyg diet");
+  if (!tears.empty()) std::cerr << "tyg diet: " << tears << std::endl;
   if (!wrong.empty() && options.json) std::cout << obstacleJson(scene, within, wrong) << std::endl;
   if (!wrong.empty()) {
     std::cerr << "tyg diet: " << wrong << std::endl;

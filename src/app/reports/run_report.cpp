@@ -72,7 +72,7 @@ std::string bodiesText(const Scene& scene) {
   return text;
 }
 
-/// Winds and motions, where there are any; the first wind is among the parameters.
+/// Winds, motions, cuts and tears, where there are any; the first wind is among the parameters.
 std::string actionsText(const Scene& scene) {
   std::string text;
   if (scene.winds.size() > 1) text += fmt::format("{} winds, of which the first is named above\n", scene.winds.size());
@@ -81,6 +81,15 @@ std::string actionsText(const Scene& scene) {
     text += fmt::format("move {}: {}{} m/s from {:.6g} s to {:.6g} s\n", k + 1,
                         move.body.empty() ? "" : oneLine(move.body) + " with ", vectorText(move.velocity), move.at,
                         move.at + move.duration);
+  }
+  for (std::size_t k = 0; k < scene.cuts.size(); ++k) {
+    const auto& [line, at] = scene.cuts[k];
+    text += fmt::format("cut {}: from [{:.6g}, {:.6g}] to [{:.6g}, {:.6g}] at {:.6g} s\n", k + 1, line.fromColumn,
+                        line.fromRow, line.toColumn, line.toRow, at);
+  }
+  if (const double most = strainThatTears(scene); std::isfinite(most)) {
+    text += fmt::format("tears at {:.4g} J/m: a structural spring breaks where it is {:.4g} % longer than at rest\n",
+                        scene.tear.toughness, 100 * most);
   }
   return text;
 }

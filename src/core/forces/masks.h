@@ -2,6 +2,7 @@
 // Must not know: forces.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/forces/row_kernel.h"
@@ -27,6 +28,12 @@ AlignedVector<T> maskOfFree(const Layout& layout, const Sheet& sheet) {
   return mask;
 }
 
+/// How far to the right and down a mask's spring or cell reaches, in the order of the bits of Missing.
+struct Reach {
+  int right, down;
+};
+constexpr std::array<Reach, kMasks> kReaches{{{1, 0}, {0, 1}, {1, 1}, {1, 1}, {2, 0}, {0, 2}, {1, 1}}};
+
 /// The masks of every row of which something is gone, as RowTask::there has them.
 template <class T>
 class RowMasks {
@@ -38,11 +45,13 @@ class RowMasks {
     for (int row = 0; row < layout.rows; ++row) {
       if (!missing.anyIn(row * layout.columns, layout.columns)) continue;
       AlignedVector<T>& masks = ofRow_[static_cast<std::size_t>(row)];
-      masks.assign(static_cast<std::size_t>(kMasks * layout.stride), T(1));
+      masks.assign(static_cast<std::size_t>(kMasks * layout.stride), T(0));
       for (int mask = 0; mask < kMasks; ++mask) {
-        for (int column = 0; column < layout.columns; ++column) {
-          if (!missing.has(row * layout.columns + column, Missing::Bit(1U << mask))) continue;
-          masks[static_cast<std::size_t>(mask * layout.stride + column)] = T(0);
+        const auto [right, down] = kReaches.at(std::size_t(mask));
+        if (row + down >= layout.rows) continue;
+        for (int column = 0; column + right < layout.columns; ++column) {
+          if (missing.has(row * layout.columns + column, Missing::Bit(1U << mask))) continue;
+          masks[static_cast<std::size_t>(mask * layout.stride + column)] = T(1);
         }
       }
     }

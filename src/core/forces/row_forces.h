@@ -205,10 +205,10 @@ void accumulateRow(const RowTask<T>& given, int row, bool finish) {
   const Staged<T> to = stagedOf(task, row);
   const std::ptrdiff_t s = task.stride;
   const T hasDown = T(row + 1 < task.rows), hasDown2 = T(row + 2 < task.rows);
-  // Times 1 or 0, for each of a particle's springs and its cell.
+  // 1 or 0 for each of a particle's springs and its cell; masks know what exists.
   const auto kept = [&](int mask, std::ptrdiff_t i, const auto& exists) {
     if constexpr (masked) {
-      return exists * load(task.there + mask * s + i);
+      return load(task.there + mask * s + i);
     } else {
       return exists;
     }

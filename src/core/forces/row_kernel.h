@@ -44,7 +44,7 @@ template <class T>
 using AddToBlock = void (*)(const RowTask<T>& task, int row, std::ptrdiff_t begin, std::ptrdiff_t end);
 
 /// What masked loops multiply by 1 or 0: each of a particle's springs, in the order of the bits of Missing, and its
-/// cell.
+/// cell; 0 is also what the sheet has no room for.
 constexpr int kMasks = 7;
 
 /// A constant force on one particle.

@@ -1,6 +1,7 @@
-// What a straight cut takes from a grid: every spring near it is held against its line, in whole and half columns.
+// What a straight cut takes from a grid: every spring near it is held against its line. And when cloth tears.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/scene/springs_of_particle.h"
 #include "tyg/sheet.h"
@@ -45,10 +46,25 @@ struct Stretch {
 
 }  // namespace
 
+/// A toughness per length of tear, and not a largest strain, so that a finer grid of the same cloth tears alike (crack
+/// band, Bazant and Oh 1983): a spring that breaks held toughness times spacing.
+double strainThatTears(const Scene& scene) {
+  if (!(scene.tear.toughness > 0)) return std::numeric_limits<double>::infinity();
+  return std::sqrt(2 * scene.tear.toughness / (scene.structural.ks * scene.spacing));
+}
+
+bool losesSprings(const Scene& scene) { return !scene.cuts.empty() || std::isfinite(strainThatTears(scene)); }
+
 bool Missing::anyIn(int firstParticle, int columns) const {
   if (!bits_) return false;
   const auto first = bits_->begin() + firstParticle;
   return std::any_of(first, first + columns, [](std::uint8_t bits) { return bits != 0; });
+}
+
+std::uint64_t Missing::mixedInto(std::uint64_t hash) const {
+  if (!bits_) return hash;
+  for (const std::uint8_t bits : *bits_) hash = (hash ^ bits) * 1099511628211U;
+  return hash;
 }
 
 bool Missing::operator==(const Missing& other) const {

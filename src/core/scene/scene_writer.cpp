@@ -212,7 +212,7 @@ void writeEvents(Writer& out, const Scene& scene) {
     out.line("at", numberText(move.at), "s");
     out.line("for", numberText(move.duration), "s");
   }
-  if (scene.tear.toughness > 0) {
+  if (scene.tear.toughness > 0 && scene.structural.ks > 0) {
     out.table("[tear]");
     out.line("toughness", numberText(scene.tear.toughness), "J/m");
   }

@@ -105,6 +105,9 @@ void Simulation::Impl::perform(const ReleaseEvent& release, std::span<const Meth
 
 void Simulation::Impl::perform(const CutEvent& cut, std::span<const Method> /*methods*/) {
   const CutLine& line = cut.line;
+  if (!std::isfinite(line.fromColumn + line.fromRow + line.toColumn + line.toRow)) {
+    throw InputError("cut: found a place that is not finite, allowed: finite numbers");
+  }
   if (line.fromColumn == line.toColumn && line.fromRow == line.toRow) {
     throw InputError("cut: found a cut that ends where it begins, allowed: another end");
   }
@@ -132,21 +135,21 @@ void Simulation::Impl::cutWhatIsDue() {
   if (!scene.cuts.empty()) lose([&] { run.changes.cutOfScene(scene, now()); });
 }
 
-/// A toughness per length of tear, and not a largest strain, so that a finer grid of the same cloth tears alike (crack
-/// band, Bazant and Oh 1983): a spring that breaks held toughness times spacing.
 void Simulation::Impl::tearWhatIsTooLong() {
-  const double strain = std::sqrt(2 * scene.tear.toughness / (scene.structural.ks * sheet.spacing));
+  const double strain = strainThatTears(scene);
   if (!std::isfinite(strain)) return;
   const std::vector<SpringEnds> tooLong = backend->longerThan((1 + strain) * sheet.spacing);
   if (!tooLong.empty()) lose([&] { run.changes.tear(tooLong); });
 }
 
 void Simulation::Impl::useSheet() {
+  checkSupply();  // pins feel no wind, and a cell that is cut is none any more
   sheet = run.changes.sheet();
   backend->useSheet(*run.method);
   run.pushes.useSheet(sheet, *backend);
   applyPushes();
   if (run.pins.any()) backend->movePins(run.pins.moving());
+  checkSupply();
 }
 
 /// What moves pins, now that it is said anew.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string_view>
 #include <type_traits>
 
@@ -117,6 +118,25 @@ void addContact(const Scene& scene, bool freeFall, std::vector<std::string>& idl
   }
 }
 
+void addCuts(const Scene& scene, std::vector<std::string>& idle) {
+  Sheet sheet = makeSheet(scene);
+  std::vector<std::size_t> order(scene.cuts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t k) { return scene.cuts[k].at; });
+  for (const std::size_t k : order) {
+    const Missing before = sheet.missing;
+    sheet.missing = before.withCut(sheet.columns, sheet.rows, scene.cuts[k].line);
+    if (scene.cuts[k].at >= scene.duration) {
+      idle.push_back(fmt::format("cut {} is made after the end of the run", k + 1));
+    } else if (sheet.missing == before) {
+      idle.push_back(fmt::format("cut {} takes nothing that is still there", k + 1));
+    }
+  }
+  if (std::isfinite(strainThatTears(scene)) && springCount(makeSheet(scene), Family::Structural) == 0) {
+    idle.emplace_back("tear: there is no spring that could break");
+  }
+}
+
 void addEvents(const Scene& scene, std::vector<std::string>& idle) {
   const Sheet sheet = makeSheet(scene);
   const auto isPinned = [&](const Place& place) {
@@ -158,6 +178,7 @@ std::vector<std::string> idleTerms(const Scene& scene) {
   addAir(scene, idle);
   addContact(scene, freeFall, idle);
   addEvents(scene, idle);
+  addCuts(scene, idle);
   return idle;
 }
 

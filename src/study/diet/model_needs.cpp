@@ -95,8 +95,9 @@ std::vector<int> neighbours(const Sheet& sheet, int particle) {
 }  // namespace
 
 std::optional<FirstCrossing> firstCrossingOf(const Scene& scene, const SampledMotion& motion, double upTo) {
-  const Sheet sheet = makeSheet(scene);
+  Sheet sheet = makeSheet(scene);
   for (std::size_t k = 0; k < motion.positions.size() && motion.times[k] <= upTo; ++k) {
+    if (k < motion.missing.size()) sheet.missing = motion.missing[k];
     if (const auto cells = firstCrossing(sheet, motion.positions[k])) return FirstCrossing{motion.times[k], *cells};
   }
   return std::nullopt;

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "core/forces/term.h"
+#include "core/forces/terms/springs.h"
 #include "core/scene/bodies.h"
 #include "core/spectrum/level_line.h"
 #include "core/spectrum/rest_spectrum.h"
@@ -182,6 +183,29 @@ double latticeLimit(const Scene& scene, const Method& method) {
   return finiteOrNone(std::max(StepLimit::kBelowMeeting * own, std::min(own, unbounded)));
 }
 
+/// The smallest limit of any mode that may be left where springs go: of no more stiffness or damping than the lattice
+/// has, and of no less damping for its stiffness than the least damped family. Where lines of one limit are straight,
+/// what goes only makes it longer.
+double limitInPieces(const Scene& scene, const Method& method) {
+  const Lattice lattice(scene);
+  const auto most = [&](double Mode::*number) {
+    return extremeWave(lattice, [&](const Mode& mode) { return mode.*number; }).mode.*number;
+  };
+  const double w2 = most(&Mode::w2), d = most(&Mode::d);
+  if (hasStraightLevelLines(method, d)) return kEveryStep;
+  const double ratio = mostStiffnessPerDamping(scene), always = particleDamping(scene) / scene.particleMass;
+  constexpr int kSamples = 60;
+  constexpr double kBetweenSamples = 1e-3;
+  double smallest = kEveryStep;
+  for (int i = 0; i <= kSamples; ++i) {
+    const double stiffness = w2 * i * i / (kSamples * kSamples), least = std::min(d, always + stiffness / ratio);
+    for (int j = 0; j <= kSamples; ++j) {
+      smallest = std::min(smallest, limitOf(method, {stiffness, least + (d - least) * j / kSamples}));
+    }
+  }
+  return (1 - kBetweenSamples) * smallest;
+}
+
 bool isLimitedByContact(const Scene& scene, const Method& method, double predicted) {
   if (holdingTerm(scene).term == nullptr) return false;
   constexpr double kSame = 1e-3;  // of a search for the stages of a whole spectrum
@@ -202,7 +226,9 @@ double unboundedLimit(const Scene& scene, const Method& method) {
 }
 
 double restLatticeLimit(const Scene& scene, const Method& method) {
-  return smallerOf(latticeLimit(scene, method), heldLimit(scene, method));
+  const double whole = smallerOf(latticeLimit(scene, method), heldLimit(scene, method));
+  if (!losesSprings(scene) || method.stableStep == nullptr || !(whole > 0)) return whole;
+  return std::min(whole, limitInPieces(scene, method));
 }
 
 double certifiedLimit(const Scene& scene, const Method& method) {

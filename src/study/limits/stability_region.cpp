@@ -47,7 +47,7 @@ std::vector<std::complex<double>> sceneRoots(const Scene& scene) {
 StabilityRegion regionOf(const Method& method, const Scene& scene, double h) {
   StabilityRegion region;
   const bool chebyshev = method.stableStep == nullptr && method.stableStepOfScene != nullptr;
-  if (chebyshev) region.stages = chebyshevStages(chebyshevModes(scene), h);
+  if (chebyshev) region.stages = chebyshevStages(chebyshevModes(scene, losesSprings(scene)), h);
   if (chebyshev && region.stages.count == 0) region.stages.count = 2;
   if (!chebyshev && method.stableStep == nullptr) return region;
   for (int k = 0; k <= kAngles; ++k) {

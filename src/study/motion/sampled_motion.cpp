@@ -55,6 +55,7 @@ SampledMotion sampledRun(const Scene& scene, const Method& method, const std::ve
     if (motion.status != Status::Ok || motion.stopped) break;
     motion.times.push_back(time);
     motion.positions.push_back(positionsOf(simulation));
+    motion.missing.push_back(simulation.sheet().missing);
     const Ledger ledger = simulation.ledger();
     motion.energies.push_back(ledger.mechanical());
     if (options.ledger) motion.energyDrift = std::max(motion.energyDrift, std::abs(ledger.drift));

@@ -17,6 +17,7 @@ std::vector<double> sampleTimes(const Scene& scene);
 struct SampledMotion {
   std::vector<double> times;                 ///< s
   std::vector<std::vector<Vec3>> positions;  ///< m; by time, then particle
+  std::vector<Missing> missing;              ///< what cuts and tears have taken by then
   std::vector<double> energies;              ///< kinetic, elastic and gravitational at those times, J
   Status status = Status::Ok;
   bool stopped = false;    ///< by the observer, or by SamplingOptions::mostEvaluations

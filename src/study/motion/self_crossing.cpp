@@ -30,6 +30,7 @@ class Crossings {
   Crossings(const Sheet& sheet, std::span<const Vec3> positions) : sheet_(sheet), at_(positions) {
     width_ = boxWidth();
     for (int cell = 0; cell < cells(); ++cell) {
+      if (isCut(cell)) continue;
       for (const Triangle& triangle : trianglesOf(cell)) {
         forBoxes(triangle, [&](const Box& box) { entries_.push_back({box, cell}); });
       }
@@ -39,6 +40,7 @@ class Crossings {
 
   [[nodiscard]] std::optional<CrossingCells> first() const {
     for (int cell = 0; cell < cells(); ++cell) {
+      if (isCut(cell)) continue;
       std::optional<int> other;
       for (const Edge& edge : edgesOf(cell)) {
         forBoxes(edge, [&](const Box& box) {
@@ -69,6 +71,7 @@ class Crossings {
   [[nodiscard]] bool touch(int a, int b) const {
     return std::abs(columnOf(a) - columnOf(b)) <= 1 && std::abs(rowOf(a) - rowOf(b)) <= 1;
   }
+  [[nodiscard]] bool isCut(int cell) const { return sheet_.missing.has(corner(cell), Missing::Cell); }
   [[nodiscard]] int corner(int cell) const { return rowOf(cell) * sheet_.columns + columnOf(cell); }
   [[nodiscard]] std::array<Triangle, 2> trianglesOf(int cell) const {
     const int a = corner(cell), b = a + 1, e = a + sheet_.columns, f = e + 1;

@@ -12,6 +12,7 @@
 
 #include "study/motion/error.h"
 #include "study/motion/progress.h"
+#include "study/motion/tearing.h"
 #include "study/work/ladder.h"
 
 namespace tyg {
@@ -39,6 +40,7 @@ struct TimedRow {
   Scene scene;
   const Method* method;
   std::optional<PastHorizon> past;
+  bool tornElsewhere = false;
   std::size_t rung = 0;  // its index in the ladder
   int repeats = 0;
   double spent = 0;  // s, in timing
@@ -91,6 +93,7 @@ TimedRow errorRun(const Scene& scene, const Method& method, const Shared& shared
   if (row.status == RowStatus::TooSlow) row.seconds = plan.clock() - start;
   if (row.status != RowStatus::Ok) return run;
   const Distance error = motionError(motion, reference.motion);
+  run.tornElsewhere = firstTornElsewhere(motion, reference.motion).has_value();
   row.rmsError = error.rms, row.maxError = error.largest;
   row.energyDrift = motion.energyDrift;
   row.horizon = reference.horizonOf(error.rms, scene.precision);
@@ -222,6 +225,7 @@ Study studyOf(const std::vector<Series>& all, bool stopped) {
   for (const Series& series : all) {
     for (const TimedRow& run : series.runs) {
       study.rows.push_back(run.row);
+      if (run.tornElsewhere) ++study.tornElsewhere;
       if (run.past) study.pastHorizon.push_back({run.row, run.past->distance, run.past->band});
     }
     if (series.refusal.empty()) continue;

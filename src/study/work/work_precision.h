@@ -36,6 +36,7 @@ struct Study {
   std::vector<WorkRow> rows;             ///< method by method, double before float, coarse to fine
   std::vector<PastHorizon> pastHorizon;  ///< of the rows whose error does not mean something over the whole run
   std::vector<std::string> refusals;     ///< why a method is not in the rows: what it says about the scene
+  int tornElsewhere = 0;                 ///< rows in whose runs other springs broke than in the reference
   bool stopped = false;
 };
 

@@ -1,6 +1,7 @@
 // What people see of the springs: the stiffness and the damping of each family, and where a scene keeps them.
 #include "core/forces/terms/springs.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/forces/term.h"
@@ -39,6 +40,15 @@ constexpr std::array kBend{parameterOf<&Scene::bend, &SpringFamily::ks>("springs
                            parameterOf<&Scene::bend, &SpringFamily::kd>("springs.bend.kd", "bend damping")};
 
 }  // namespace
+
+double mostStiffnessPerDamping(const Scene& scene) {
+  double most = 0;
+  for (const Family family : kFamilies) {
+    const SpringFamily& springs = familyOf(scene, family);
+    if (springs.ks > 0) most = std::max(most, springs.ks / springs.kd);
+  }
+  return most;
+}
 
 const SpringFamily& familyOf(const Scene& scene, Family family) {
   switch (family) {

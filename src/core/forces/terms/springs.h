@@ -21,6 +21,9 @@ struct SpringLaw {
 inline constexpr std::array kFamilies{Family::Structural, Family::Shear, Family::Bend};
 /// The springs of `family` that this scene has.
 const SpringFamily& familyOf(const Scene& scene, Family family);
+/// The largest ks/kd of a family, 1/s: whichever of the springs are left, no motion has more stiffness for its damping.
+/// Infinite where a family is not damped.
+double mostStiffnessPerDamping(const Scene& scene);
 
 template <Family family>
 struct Springs {
