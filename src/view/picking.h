@@ -21,6 +21,9 @@ struct Ray {
 /// in the same kind of pixels (a window's own coordinates will do).
 Ray sightLine(const Camera& camera, glm::vec2 cursor, glm::vec2 window);
 
+/// Where a point (m) in front of the eye is seen, in those pixels; not finite in the plane of the eye.
+glm::vec2 placeInWindow(const Camera& camera, const glm::vec3& point, glm::vec2 window);
+
 /// How far from a particle's middle a click still counts, in pixels.
 inline constexpr float kPickRadius = 12;
 

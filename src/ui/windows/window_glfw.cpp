@@ -36,6 +36,9 @@ class Library {
 KeyCode keyCode(int key, int scancode) {
   if (key == GLFW_KEY_ESCAPE) return kEscapeKey;
   if (key == GLFW_KEY_TAB) return kTabKey;
+  if (key >= GLFW_KEY_F1 && key < GLFW_KEY_F1 + kFunctionKeys) {
+    return static_cast<KeyCode>(kFirstFunctionKey + key - GLFW_KEY_F1);
+  }
   if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) return kEnterKey;
   if (key == GLFW_KEY_SPACE || (key >= GLFW_KEY_0 && key <= GLFW_KEY_9)) return static_cast<KeyCode>(key);
   const char* name = key == GLFW_KEY_UNKNOWN ? nullptr : glfwGetKeyName(key, scancode);
@@ -137,11 +140,14 @@ class GlfwWindow final : public Window {
                                   .control = (modifiers & GLFW_MOD_CONTROL) != 0,
                                   .shift = (modifiers & GLFW_MOD_SHIFT) != 0});
   }
-  static void onButton(GLFWwindow* window, int button, int action, int) {
+  static void onButton(GLFWwindow* window, int button, int action, int modifiers) {
     double x = 0, y = 0;
     glfwGetCursorPos(window, &x, &y);
     const auto kind = action == GLFW_PRESS ? WindowEvent::Kind::Press : WindowEvent::Kind::Release;
-    of(window).events_.push_back(of(window).at(kind, buttonCode(button), x, y));
+    WindowEvent event = of(window).at(kind, buttonCode(button), x, y);
+    event.control = (modifiers & GLFW_MOD_CONTROL) != 0;
+    event.shift = (modifiers & GLFW_MOD_SHIFT) != 0;
+    of(window).events_.push_back(event);
   }
   static void onMove(GLFWwindow* window, double x, double y) {
     of(window).events_.push_back(of(window).at(WindowEvent::Kind::Move, 0, x, y));
