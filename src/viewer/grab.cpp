@@ -36,6 +36,7 @@ void Grab::begin(const ToolScope& scope, int particle, glm::vec2 cursor) {
   depth_ = glm::dot(there - camera.eye(), camera.forward());
   aside_ = placeInWindow(camera, there, windowOf(scope)) - cursor;
   velocity_ = {};
+  tick_ = scope.run.simulation().ticks();
   holds_ = depth_ > 0;
   if (holds_ && scope.run.state() == RunState::Running) scope.run.intervene();  // it wakes, or ends a replay
 }
@@ -50,6 +51,7 @@ void Grab::release(const ToolScope& scope) {
 void Grab::frame(const ToolScope& scope) {
   const RunControl& run = scope.run;
   if (run.state() == RunState::Frozen || run.seeking() || run.timeline().past) forget();
+  if (run.simulation().ticks() < std::exchange(tick_, run.simulation().ticks())) forget();
   if (!holds_ || !scope.view.visible()) return;
   const Camera& camera = scope.view.camera();
   const auto size = static_cast<float>(run.simulation().sheet().size());

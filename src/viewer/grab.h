@@ -38,6 +38,7 @@ class Grab {
   float depth_ = 1;                 ///< m, from the eye along the direction in which it looks
   glm::vec3 wanted_{0};             ///< m
   Vec3 velocity_;                   ///< m/s, as last logged
+  std::int64_t tick_ = 0;           ///< of the last frame
 };
 
 }  // namespace tyg

@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "ui/windows/window.h"
@@ -78,6 +79,7 @@ class GlfwWindow final : public Window {
     }
     glfwSwapInterval(1);
     glfwSetWindowUserPointer(window_, this);
+    glfwGetCursorPos(window_, &cursor_.first, &cursor_.second);
     glfwSetKeyCallback(window_, onKey);
     glfwSetMouseButtonCallback(window_, onButton);
     glfwSetCursorPosCallback(window_, onMove);
@@ -141,8 +143,8 @@ class GlfwWindow final : public Window {
                                   .shift = (modifiers & GLFW_MOD_SHIFT) != 0});
   }
   static void onButton(GLFWwindow* window, int button, int action, int modifiers) {
-    double x = 0, y = 0;
-    glfwGetCursorPos(window, &x, &y);
+    // Not glfwGetCursorPos, which tells where the cursor is now: a quick hand has dragged it on since.
+    const auto [x, y] = of(window).cursor_;
     const auto kind = action == GLFW_PRESS ? WindowEvent::Kind::Press : WindowEvent::Kind::Release;
     WindowEvent event = of(window).at(kind, buttonCode(button), x, y);
     event.control = (modifiers & GLFW_MOD_CONTROL) != 0;
@@ -150,6 +152,7 @@ class GlfwWindow final : public Window {
     of(window).events_.push_back(event);
   }
   static void onMove(GLFWwindow* window, double x, double y) {
+    of(window).cursor_ = {x, y};
     of(window).events_.push_back(of(window).at(WindowEvent::Kind::Move, 0, x, y));
   }
   static void onScroll(GLFWwindow* window, double, double notches) {
@@ -163,6 +166,7 @@ class GlfwWindow final : public Window {
   Library library_;
   GLFWwindow* window_;
   std::vector<WindowEvent> events_;
+  std::pair<double, double> cursor_;  ///< GLFW's units, as the events so far say
 };
 
 }  // namespace
