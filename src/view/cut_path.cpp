@@ -15,6 +15,8 @@ constexpr int kMostSamples = 4096;
 constexpr double kJump = 3;        // cells between two samples: beyond, they are on different layers of the cloth
 constexpr double kStraight = 0.3;  // cells by which a path may leave its straight line
 constexpr double kOutside = 1;     // cell, by which a cut over an edge goes on
+constexpr double kBeyond = 0.25;   // cells, by which it goes on elsewhere: what ends there must not hang by a thread
+constexpr double kAcross = 0.4;    // cells to both sides of a spring that is cut by itself
 
 /// A particle as seen along the line: pixels along it and across, and what is linear in the window: 1, column and row,
 /// each divided by the depth (m).
@@ -137,23 +139,45 @@ void straighten(std::span<const glm::dvec2> path, std::vector<glm::dvec2>& kept)
   straighten(path.subspan(farthest), kept);
 }
 
-/// Moves an end of a path that lies at the sheet's edge outside.
+/// Moves an end of a path on: outside where it lies at the sheet's edge, else past the end of the cells there.
 void extend(glm::dvec2& end, const glm::dvec2& before, const Sheet& sheet) {
   const bool inside =
       end.x > kOutside && end.y > kOutside && end.x < sheet.columns - 1 - kOutside && end.y < sheet.rows - 1 - kOutside;
   const double length = glm::distance(end, before);
-  if (!inside && length > 0) end += kOutside / length * (end - before);
+  if (length > 0) end += (inside ? kBeyond : kOutside) / length * (end - before);
 }
 
-void cutChain(std::span<const Seen> particles, float length, bool downwards, std::vector<CutLine>& cuts) {
-  for (std::size_t k = 0; k + 1 < particles.size(); ++k) {
-    const Seen &a = particles[k], &b = particles[k + 1];
-    if (!a.visible() || !b.visible() || !crosses(a, b)) continue;
-    const Seen there = crossing(a, b);
-    if (there.along < 0 || there.along > length) continue;
-    const glm::dvec2 grid = gridOf(there.share);
-    cuts.push_back(downwards ? CutLine{-1, grid.y, 1, grid.y} : CutLine{grid.x, -1, grid.x, 1});
+/// What of a sheet is there.
+class Grid {
+ public:
+  explicit Grid(const Sheet& sheet) : sheet_(sheet) {}
+  /// The cell whose first corner this is.
+  [[nodiscard]] bool hasCell(int column, int row) const {
+    return column >= 0 && row >= 0 && column + 1 < sheet_.columns && row + 1 < sheet_.rows &&
+           !sheet_.missing.has(row * sheet_.columns + column, Missing::Cell);
   }
+  /// Whether the spring to the right of a particle, or below it, is there without a cell beside it.
+  [[nodiscard]] bool isBareRight(int column, int row) const {
+    return column + 1 < sheet_.columns && !sheet_.missing.has(row * sheet_.columns + column, Missing::Right) &&
+           !hasCell(column, row) && !hasCell(column, row - 1);
+  }
+  [[nodiscard]] bool isBareDown(int column, int row) const {
+    return row + 1 < sheet_.rows && !sheet_.missing.has(row * sheet_.columns + column, Missing::Down) &&
+           !hasCell(column, row) && !hasCell(column - 1, row);
+  }
+
+ private:
+  const Sheet& sheet_;
+};
+
+/// A short cut across one spring.
+void cutSpring(const Seen& a, const Seen& b, float length, std::vector<CutLine>& cuts) {
+  if (!a.visible() || !b.visible() || !crosses(a, b)) return;
+  const Seen there = crossing(a, b);
+  if (there.along < 0 || there.along > length) return;
+  const glm::dvec2 at = gridOf(there.share), along = glm::abs(gridOf(b.share) - gridOf(a.share));
+  const glm::dvec2 half = along.x > along.y ? glm::dvec2(0, kAcross) : glm::dvec2(kAcross, 0);
+  cuts.push_back({at.x - half.x, at.y - half.y, at.x + half.x, at.y + half.y});
 }
 
 }  // namespace
@@ -170,15 +194,15 @@ std::vector<CutLine> cutsAlong(const Camera& camera, glm::vec2 from, glm::vec2 t
     for (int column = 0; column < sheet.columns; ++column)
       seen.push_back(sight.see(&xyz[3 * seen.size()], column, row));
   }
-  if (sheet.columns == 1 || sheet.rows == 1) {
-    cutChain(seen, length, sheet.columns == 1, cuts);
-    return cuts;
-  }
   Samples samples(length);
-  for (std::size_t k = columns; k < seen.size(); ++k) {
-    if (k % columns == 0) continue;
-    samples.offer(seen[k - columns - 1], seen[k - columns], seen[k]);
-    samples.offer(seen[k - columns - 1], seen[k], seen[k - 1]);
+  const Grid grid(sheet);
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    const int column = static_cast<int>(k % columns), row = static_cast<int>(k / columns);
+    if (grid.isBareRight(column, row)) cutSpring(seen[k], seen[k + 1], length, cuts);
+    if (grid.isBareDown(column, row)) cutSpring(seen[k], seen[k + columns], length, cuts);
+    if (!grid.hasCell(column, row)) continue;
+    samples.offer(seen[k], seen[k + 1], seen[k + columns + 1]);
+    samples.offer(seen[k], seen[k + columns + 1], seen[k + columns]);
   }
   for (const Samples::Stretch& stretch : samples.stretches()) {
     std::vector<glm::dvec2> path{stretch.path.front()};

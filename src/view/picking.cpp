@@ -122,6 +122,7 @@ std::optional<int> pickParticle(const Camera& camera, glm::vec2 cursor, glm::vec
       picker.offerParticle(row[i], particle);
       if (r > 0 && c > 0) {
         const int over = particle - sheet.columns;
+        if (sheet.missing.has(over - 1, Missing::Cell)) continue;  // between two parts of the cloth there is none
         picker.offerCell({above[i - 1], above[i], row[i], row[i - 1]}, {over - 1, over, particle, particle - 1});
       }
     }

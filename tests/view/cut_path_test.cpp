@@ -104,5 +104,26 @@ TEST_F(CutPathTest, AChainIsCutWhereTheLineCrossesIt) {
   EXPECT_TRUE(cut(place(-2, 4.3F), place(-1, 4.7F)).empty());
 }
 
+TEST_F(CutPathTest, ASecondCutAcrossTheFirstLeavesNoThread) {
+  make(11, 9);
+  for (const CutLine& line : cut(place(5.5F, -2), place(5.5F, 11)))
+    sheet_.missing = sheet_.missing.withCut(11, 9, line);
+  for (std::size_t k = 0; k < xyz_.size(); k += 3) {
+    if (k / 3 % 11 > 5) xyz_[k] += 0.2F;  // it has opened
+  }
+  for (const CutLine& line : cut(place(-3, 4.5F), place(16, 4.5F))) {
+    sheet_.missing = sheet_.missing.withCut(11, 9, line);
+  }
+  for (int column = 0; column < 11; ++column) EXPECT_TRUE(sheet_.missing.has(4 * 11 + column, Missing::Down)) << column;
+}
+
+TEST_F(CutPathTest, AThreadBetweenTwoHolesIsCutByItself) {
+  make(5, 3);
+  sheet_.missing = Missing().withCut(5, 3, {1.5, -1, 1.5, 3}).withCut(5, 3, {2.5, -1, 2.5, 3});
+  const auto cuts = cut(place(1.7F, 0.5F), place(2.3F, 0.5F));
+  ASSERT_EQ(cuts.size(), 1U);
+  EXPECT_TRUE(sheet_.missing.withCut(5, 3, cuts[0]).has(2, Missing::Down));
+}
+
 }  // namespace
 }  // namespace tyg
