@@ -192,7 +192,8 @@ class Soak {
   [[nodiscard]] glm::vec2 somewhereOnTheCloth() {
     const std::span<const float> xyz = viewer_.run().shown().positions();
     const float* p = &xyz[3 * std::size_t(below(int(xyz.size() / 3)))];
-    return placeInWindow(viewer_.view().camera(), {p[0], p[1], p[2]}, {size_.width, size_.height});
+    const glm::vec2 place = placeInWindow(viewer_.view().camera(), {p[0], p[1], p[2]}, {size_.width, size_.height});
+    return std::isfinite(place.x + place.y) ? place : glm::vec2(0);  // it may be beside the eye
   }
   /// The run so far must come to the same bits again.
   void checkReplay() {

@@ -90,8 +90,10 @@ void drawCutLine(const TextWriter& writer, const ScreenLine& line) {
   const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
   const glm::vec2 unit(std::max(scale.x, 0.01F), std::max(scale.y, 0.01F));
   const glm::vec2 from = line.from / unit, way = line.to / unit - from;
-  const float length = glm::length(way), dash = 0.5F * writer.size;
-  if (!(length > 0)) return;
+  const float length = glm::length(way);
+  if (!(length > 0) || !std::isfinite(length)) return;
+  constexpr float kMostDashes = 400;  // of a line that reaches far out of the window
+  const float dash = std::max(0.5F * writer.size, length / kMostDashes);
   const Colours& ink = coloursOn(writer.background);
   const auto at = [&](float along) {
     const glm::vec2 p = from + std::min(along / length, 1.0F) * way;
