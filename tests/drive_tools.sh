@@ -13,10 +13,10 @@ holds() { [[ $held == "$1" ]]; }
 holds_one() { ((held >= 0)); }
 has_pins() { ((pins == $1)); }
 has_cuts() { ((cuts == $1)); }
-# drag_to X1 Y1 X2 Y2: the button stays down.
+# drag_to X1 Y1 X2 Y2: the button stays down. It moves at once: a button that is held still pushes.
 drag_to() {
   point "$1" "$2"
-  xdotool mousedown 1
+  xdotool mousedown 1 mousemove $(($1 + ($3 > $1 ? 6 : -6))) "$2"
   few_frames
   local part
   for part in 1 2 3 4; do xdotool mousemove $(($1 + ($3 - $1) * part / 4)) $(($2 + ($4 - $2) * part / 4)) && few_frames 1; done

@@ -13,8 +13,8 @@
 namespace tyg {
 namespace {
 
-constexpr float kStillPixels = 4;       // the cursor of a hand that means to hold still moves no farther
-constexpr double kStillSeconds = 0.15;  // of the clock, after which a still button pushes
+constexpr float kStillPixels = 4;      // the cursor of a hand that means to hold still moves no farther
+constexpr double kStillSeconds = 0.2;  // of the clock, after which a still button pushes
 
 class HandTool final : public Tool {
  public:

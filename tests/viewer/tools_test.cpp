@@ -98,7 +98,7 @@ TEST_F(ViewerTest, ARestartLetsGoOfTheCloth) {
 TEST_F(ViewerTest, AToolIsChosenByItsNameOrKeyAndTheOneBeforeLetsGo) {
   pressOnCloth();
   tap(' ');
-  frames(12);
+  frames(15);
   viewer_.tools().choose("pin");
   frames(30);
   EXPECT_LE(viewer_.run().record().events.size(), 2U) << "the button is still down, but not for this tool";
