@@ -16,7 +16,8 @@ namespace tyg {
 /// The cuts, in grid coordinates, that follow a line from one place in a window of `window` pixels to another: along
 /// the cloth that the eye sees first there, one or several for each stretch of cloth under the line. Where the line
 /// comes onto the cloth over its edge, or leaves it there, the cut begins or ends a little outside, so that the edge is
-/// cut too. Springs without a cell beside them, as chains and frayed edges have, are cut where the line crosses them. `xyz` holds 3 * sheet.count() numbers.
+/// cut too. Springs without a cell beside them, as chains and frayed edges have, are cut where the line crosses them.
+/// `xyz` holds 3 * sheet.count() numbers.
 std::vector<CutLine> cutsAlong(const Camera& camera, glm::vec2 from, glm::vec2 to, glm::vec2 window, const Sheet& sheet,
                                std::span<const float> xyz);
 

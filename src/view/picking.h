@@ -28,8 +28,8 @@ glm::vec2 placeInWindow(const Camera& camera, const glm::vec3& point, glm::vec2 
 inline constexpr float kPickRadius = 12;
 
 /// The particle under the cursor, pinned ones included. Where the cursor is on the cloth it is the corner nearest to it
-/// of the mesh cell that the eye sees first, of those that no cut has taken; beside the cloth (and on chains and single particles) it is the particle
-/// nearest to the cursor within `radius` pixels. Nothing: the click misses the cloth.
+/// of the mesh cell that the eye sees first, of those that no cut has taken; beside the cloth (and on chains and single
+/// particles) it is the particle nearest to the cursor within `radius` pixels. Nothing: the click misses the cloth.
 /// `xyz` holds 3 * sheet.count() numbers; particles that are not finite or behind the eye are never picked.
 std::optional<int> pickParticle(const Camera& camera, glm::vec2 cursor, glm::vec2 window, const Sheet& sheet,
                                 std::span<const float> xyz, float radius = kPickRadius);
