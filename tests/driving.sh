@@ -31,9 +31,9 @@ fail() {
 # The newest whole line of the log, as shell variables named after its columns.
 read_log() {
   local line
-  line=$(tail -n 2 "$log" 2>/dev/null | grep ',.*,.*,.*,.*,.*,.*,.*,.*,.*,.*,.*,' | grep -v '^frame' | tail -n 1) || return 1
-  IFS=, read -r frame _ sim_s state integrator dt eye_x eye_y eye_z picked pushes kinetic_J alarm <<<"$line"
-  [[ -n ${alarm:-} ]]
+  line=$(tail -n 2 "$log" 2>/dev/null | grep ',.*,.*,.*,.*,.*,.*,.*,.*,.*,.*,.*,.*,.*,.*,.*,' | grep -v '^frame' | tail -n 1) || return 1
+  IFS=, read -r frame _ sim_s state integrator dt eye_x eye_y eye_z picked pushes kinetic_J alarm tool held pins cuts <<<"$line"
+  [[ -n ${cuts:-} ]]
 }
 # Arithmetic on those variables: `is "$sim_s > 0"`.
 is() { awk "BEGIN { exit !($1) }"; }

@@ -21,6 +21,7 @@
 #include "ui/hud.h"
 #include "ui/input_router.h"
 #include "ui/panels/panels.h"
+#include "view/picking.h"
 #include "viewer/viewer.h"
 
 namespace tyg {
@@ -66,12 +67,15 @@ class Soak {
       for (const float number : viewer_.run().shown().positions()) {
         if (!std::isfinite(number)) return "a shown position is not finite in frame " + std::to_string(k);
       }
+      if (!trouble_.empty()) return trouble_;
       if (k % 600 == 0) (k < frames / 2 ? before : after) = std::max(k < frames / 2 ? before : after, megabytes());
       if (k % kFramesPerTelling == 0 && k > 0) tell(k);
     }
     std::printf(
-        "%ld frames, %.0f s of the viewer's time, %ld inputs, %ld freezes; memory at most %.0f MB, then %.0f MB\n",
-        frames, double(frames) * kFrame, inputs_, freezes_, before, after);
+        "%ld frames, %.0f s of the viewer's time, %ld inputs, %d pushes, grabs, pins and cuts, %ld replays, %ld "
+        "freezes; memory at "
+        "most %.0f MB, then %.0f MB\n",
+        frames, double(frames) * kFrame, inputs_, viewer_.tools().record().uses, replays_, freezes_, before, after);
     return after > kGrowth * before + kSlackMegabytes ? "memory keeps growing" : "";
   }
 
@@ -140,7 +144,10 @@ class Soak {
 
   void randomInput() {
     ++inputs_;
-    switch (below(8)) {
+    switch (below(10)) {
+      case 8:
+      case 9:
+        return useTool();
       case 0:
       case 1:
       case 2: {
@@ -163,6 +170,41 @@ class Soak {
           viewer_.run().turnToTime(viewer_.run().timeline().first + chance(0.5) * (viewer_.run().shown().time() / 2));
         return;
     }
+  }
+
+  /// One of the tools, on the cloth or across it: from one particle to another, and for a while.
+  void useTool() {
+    if (size_.width <= 0 || size_.height <= 0) return;
+    key(static_cast<KeyCode>(kFirstFunctionKey + below(kFunctionKeys)));
+    const glm::vec2 from = somewhereOnTheCloth(), to = somewhereOnTheCloth();
+    send({.kind = WindowEvent::Kind::Press, .key = kLeftButton, .x = from.x, .y = from.y});
+    const int steps = 1 + below(8);
+    for (int k = 1; k <= steps; ++k) {
+      const glm::vec2 at = glm::mix(from, to, float(k) / float(steps));
+      send({.kind = WindowEvent::Kind::Move, .x = at.x, .y = at.y});
+      if (chance(0.2)) send({.kind = WindowEvent::Kind::Scroll, .notches = double(below(7) - 3)});
+      frame();
+    }
+    send({.kind = WindowEvent::Kind::Release, .key = kLeftButton, .x = to.x, .y = to.y});
+    if (chance(0.3)) send({.kind = WindowEvent::Kind::Press, .key = 'Z', .control = true, .shift = chance(0.3)});
+    if (chance(0.02)) checkReplay();
+  }
+  [[nodiscard]] glm::vec2 somewhereOnTheCloth() {
+    const std::span<const float> xyz = viewer_.run().shown().positions();
+    const float* p = &xyz[3 * std::size_t(below(int(xyz.size() / 3)))];
+    const glm::vec2 place = placeInWindow(viewer_.view().camera(), {p[0], p[1], p[2]}, {size_.width, size_.height});
+    return std::isfinite(place.x + place.y) ? place : glm::vec2(0);  // it may be beside the eye
+  }
+  /// The run so far must come to the same bits again.
+  void checkReplay() {
+    const EventLog log = viewer_.run().record();
+    if (viewer_.run().state() == RunState::Frozen || log.ticks > 20000) return;
+    Simulation again(viewer_.run().simulation().startScene(), findMethod(log.integrator),
+                     {.threads = 1, .keepGoing = true});
+    again.replay(log, methods());
+    again.tick(log.ticks);
+    if (hashText(again) != log.hash) trouble_ = "a record does not replay to the same bits";
+    ++replays_;
   }
 
   /// A click, or a drag over some frames.
@@ -191,7 +233,8 @@ class Soak {
   FrameCapture capture_{std::filesystem::temp_directory_path()};  ///< writes nothing: no frame is read back
   InputRouter router_;
   Extent size_{1280, 720};
-  long inputs_ = 0, freezes_ = 0;
+  std::string trouble_;
+  long inputs_ = 0, freezes_ = 0, replays_ = 0;
   bool frozen_ = false;
 };
 

@@ -134,9 +134,11 @@ class Simulation {
   [[nodiscard]] std::int64_t steps() const;
   [[nodiscard]] std::int64_t forceEvaluations() const;
   [[nodiscard]] int threads() const;
-  [[nodiscard]] const Scene& scene() const;       ///< with the springs and the world that are in use
-  [[nodiscard]] const Scene& startScene() const;  ///< as it began
-  [[nodiscard]] const Sheet& sheet() const;       ///< as it is now, with its pins and what was cut
+  [[nodiscard]] const Scene& scene() const;         ///< with the springs and the world that are in use
+  [[nodiscard]] const Scene& startScene() const;    ///< as it began
+  [[nodiscard]] const Sheet& sheet() const;         ///< as it is now, with its pins and what was cut
+  [[nodiscard]] std::span<const int> held() const;  ///< the particles that hands hold, ascending; the sheet's pins too
+  [[nodiscard]] int cuts() const;                   ///< how many cuts mend() could take back
   [[nodiscard]] const Method& method() const;
   [[nodiscard]] const EventLog& log() const;  ///< everything that happened since the start
 

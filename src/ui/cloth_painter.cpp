@@ -53,16 +53,19 @@ void ClothPainter::draw(const Viewer& viewer, Panels& panels, Extent window) {
   const glm::ivec2 pixels{window.width, window.height};
   const Camera& camera = viewer.view().camera();
   const std::span<const float> positions = viewer.run().shown().positions();
+  renderer_->follow(viewer.run().shown().sheet());
   renderer_->draw(positions, camera, pixels, picture.options, viewer.tools().drawing().arrow);
-  if (picture.ghost.size() != positions.size()) return;
+  if (picture.ghost.size() != positions.size() || picture.ghostSheet == nullptr) return;
+  if (!ghost_) ghost_ = std::make_unique<SheetRenderer>(*picture.ghostSheet);
+  ghost_->follow(*picture.ghostSheet);
   const bool dark = picture.options.background == Background::Dark;
-  renderer_->draw(picture.ghost, camera, pixels,
-                  {.pins = false,
-                   .background = picture.options.background,
-                   .mesh = dark ? rgb(0xf4f6f8) : rgb(0x20242a),
-                   .over = true,
-                   .opacity = picture.ghostOpacity,
-                   .bodies = bodies_});
+  ghost_->draw(picture.ghost, camera, pixels,
+               {.pins = false,
+                .background = picture.options.background,
+                .mesh = dark ? rgb(0xf4f6f8) : rgb(0x20242a),
+                .over = true,
+                .opacity = picture.ghostOpacity,
+                .bodies = bodies_});
 }
 
 }  // namespace tyg

@@ -24,8 +24,9 @@ class ClothPainter {
 
  private:
   std::unique_ptr<SheetRenderer> renderer_;
-  std::vector<Body> bodies_;  ///< as shown
-  int sheet_;                 ///< of SceneControl::sheetsSoFar(), the one that the renderer is for
+  std::unique_ptr<SheetRenderer> ghost_;  ///< its springs may differ; null until one is shown
+  std::vector<Body> bodies_;              ///< as shown
+  int sheet_;                             ///< of SceneControl::sheetsSoFar(), the one that the renderer is for
 };
 
 }  // namespace tyg

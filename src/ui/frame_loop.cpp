@@ -114,6 +114,7 @@ void FrameLoop::followTitle() {
 
 void FrameLoop::updateHints() {
   if (viewer_.tools().record().uses > 0) hints_.did(Hints::Topic::Push);
+  if (viewer_.tools().chosenSlot() != 0) hints_.did(Hints::Topic::Tools);
   if (panels_.isOpen(InputAction::OpenChart)) hints_.did(Hints::Topic::Chart);
   if (panels_.isOpen(InputAction::OpenGhost)) hints_.did(Hints::Topic::Ghost);
   hud_.filming(capture_.filmingText());

@@ -113,6 +113,7 @@ void Hud::draw(const Viewer& viewer, Panels& panels) {
   const std::string title = oneLine(viewer.run().simulation().scene().title);
   writer.shade({size_, size_}, {size_ + writer.extent(title).x, 2 * size_});
   writer.write({size_, size_}, colours.text, title);
+  drawTools(viewer, panels, size_ + writer.extent(title).x);
   const float free = drawFoot(viewer, panels);
   if (viewer.view().showsHelp()) {
     for (const bool choices : {false, true}) {
@@ -123,6 +124,16 @@ void Hud::draw(const Viewer& viewer, Panels& panels) {
   }
   drawWind(viewer, colours);
   drawArrow(viewer, colours);
+}
+
+/// In the upper line, right of the title, which ends at `from`; and the line that is drawn to cut along.
+void Hud::drawTools(const Viewer& viewer, const Panels& panels, float from) {
+  const ImVec2 screen = screenSize();
+  const bool keys = viewer.view().showsHelp() && panels.width(Edge::Right) == 0;
+  const float right = keys ? columnOf(true, {screen.x, screen.y - kFoot * size_}).left : screen.x;
+  tools_.draw(writerFor(viewer), {from + 1.5F * size_, right - 1.5F * size_}, viewer);
+  const ToolDrawing drawing = viewer.tools().drawing();
+  if (drawing.cut) drawCutLine(writerFor(viewer), *drawing.cut);
 }
 
 /// Its speed, below its arrow.

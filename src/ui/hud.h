@@ -9,6 +9,7 @@
 #include "ui/fonts.h"
 #include "ui/overlay.h"
 #include "ui/panels/panels.h"
+#include "ui/tool_bar.h"
 #include "viewer/viewer.h"
 
 struct ImVec2;
@@ -20,7 +21,9 @@ class Hud {
   explicit Hud(const TextFonts& fonts);
 
   /// True where the event was a press on one of the buttons, whose action was then performed.
-  bool pressButton(const WindowEvent& event, Viewer& viewer) { return buttons_.handle(event, viewer); }
+  bool pressButton(const WindowEvent& event, Viewer& viewer) {
+    return buttons_.handle(event, viewer) || tools_.handle(event, viewer);
+  }
   /// True where the event was for the time line.
   bool dragTime(const WindowEvent& event, Viewer& viewer) { return timeLine_.handle(event, viewer); }
   /// Pixels that the keys take on each side of a window of this size.
@@ -52,6 +55,7 @@ class Hud {
   [[nodiscard]] std::string promptText(const Viewer& viewer) const;
   void drawPrompt(const Viewer& viewer, Middle& middle) const;
   void drawFailure(const Viewer& viewer, Middle& middle);
+  void drawTools(const Viewer& viewer, const Panels& panels, float from);
   void drawWind(const Viewer& viewer, const Colours& colours) const;
   void drawArrow(const Viewer& viewer, const Colours& colours) const;
 
@@ -61,6 +65,7 @@ class Hud {
   std::string hint_, filming_;
   TimeLine timeLine_;
   Buttons buttons_;
+  ToolBar tools_;
 };
 
 }  // namespace tyg

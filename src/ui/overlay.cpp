@@ -32,22 +32,21 @@ void hatch(const TextWriter& writer, ImVec2 from, ImVec2 to, ImU32 colour) {
   writer.list->PopClipRect();
 }
 
-bool inside(ImVec2 at, ImVec2 from, ImVec2 to) {
-  return at.x >= from.x && at.x < to.x && at.y >= from.y && at.y < to.y;
-}
-
-/// Events count in pixels of the framebuffer, ImGui in units of the window.
-ImVec2 positionOf(const WindowEvent& event) {
-  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-  return {float(event.x) / std::max(scale.x, 0.01F), float(event.y) / std::max(scale.y, 0.01F)};
-}
-
 float buttonWidth(const TextWriter& writer, const Buttons::Button& button) {
   return writer.extent(button.key).x + writer.extent(button.text).x + 1.8F * writer.size;
 }
 constexpr float kButtonHeight = 1.7F, kButtonGap = 0.5F;  // in sizes of the text
 
 }  // namespace
+
+bool inside(ImVec2 at, ImVec2 from, ImVec2 to) {
+  return at.x >= from.x && at.x < to.x && at.y >= from.y && at.y < to.y;
+}
+
+ImVec2 positionOf(const WindowEvent& event) {
+  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+  return {float(event.x) / std::max(scale.x, 0.01F), float(event.y) / std::max(scale.y, 0.01F)};
+}
 
 std::string TextWriter::linesOf(std::string_view text, float wrap) const {
   if (!(wrap > 0)) return std::string(text);

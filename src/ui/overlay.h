@@ -30,6 +30,11 @@ struct TextWriter {
   [[nodiscard]] std::string linesOf(std::string_view text, float wrap) const;
 };
 
+/// In ImGui's units.
+bool inside(ImVec2 at, ImVec2 from, ImVec2 to);
+/// Events count in pixels of the framebuffer, ImGui in units of the window.
+ImVec2 positionOf(const WindowEvent& event);
+
 /// The step beside its limit, as a bar from 0 to 1.25 of the limit with a tick at the limit and hatching beyond it:
 /// green, amber from 0.9 on, red and hatched from 1 on. Nothing is drawn where there is no limit.
 void drawMarginBar(const TextWriter& writer, ImVec2 from, ImVec2 to, const Margin& margin);

@@ -99,6 +99,12 @@ Ray sightLine(const Camera& camera, glm::vec2 cursor, glm::vec2 window) {
   return {camera.eye(), glm::normalize(camera.forward() + aside.x * camera.right() - aside.y * camera.up())};
 }
 
+glm::vec2 placeInWindow(const Camera& camera, const glm::vec3& point, glm::vec2 window) {
+  const glm::vec3 away = point - camera.eye();
+  const float focal = window.y / (2 * std::tan(camera.fieldOfView() / 2)) / glm::dot(away, camera.forward());
+  return window / 2.0F + focal * glm::vec2(glm::dot(away, camera.right()), -glm::dot(away, camera.up()));
+}
+
 std::optional<int> pickParticle(const Camera& camera, glm::vec2 cursor, glm::vec2 window, const Sheet& sheet,
                                 std::span<const float> xyz, float radius) {
   if (!(window.x > 0 && window.y > 0) || xyz.size() < 3 * static_cast<std::size_t>(sheet.count())) {
@@ -116,6 +122,7 @@ std::optional<int> pickParticle(const Camera& camera, glm::vec2 cursor, glm::vec
       picker.offerParticle(row[i], particle);
       if (r > 0 && c > 0) {
         const int over = particle - sheet.columns;
+        if (sheet.missing.has(over - 1, Missing::Cell)) continue;  // between two parts of the cloth there is none
         picker.offerCell({above[i - 1], above[i], row[i], row[i - 1]}, {over - 1, over, particle, particle - 1});
       }
     }

@@ -6,15 +6,17 @@
 #include <map>
 #include <string>
 
+#include "viewer/hand_work.h"
 #include "viewer/undo.h"
 #include "viewer/viewer.h"
 
 namespace tyg {
 
-/// Everything that can be set in the window.
+/// Everything that can be set in the window, and what hands have done to the cloth in the present run.
 struct Setup {
   Scene scene;
   double pushFactor = 1;
+  HandWork hands{};
   bool operator==(const Setup&) const = default;
 };
 
@@ -35,14 +37,20 @@ class Edits {
   }
   /// The scene as it was when the window first had it.
   [[nodiscard]] const Scene& original(const Viewer& viewer) const;
-  [[nodiscard]] bool canReset(const Viewer& viewer) const { return setupOf(viewer) != Setup{original(viewer)}; }
-  void reset(Viewer& viewer) const { apply({original(viewer)}, viewer); }
+  /// Cuts and pins by hand stay; a restart is without them.
+  [[nodiscard]] bool canReset(const Viewer& viewer) const {
+    return viewer.scenes().scene() != original(viewer) || viewer.tools().strength() != 1;
+  }
+  void reset(Viewer& viewer) const { apply({original(viewer), 1, handWork(viewer.run().simulation().log())}, viewer); }
 
  private:
-  static Setup setupOf(const Viewer& viewer) { return {viewer.scenes().scene(), viewer.tools().strength()}; }
+  static Setup setupOf(const Viewer& viewer) {
+    return {viewer.scenes().scene(), viewer.tools().strength(), handWork(viewer.run().simulation().log())};
+  }
   static void apply(const Setup& setup, Viewer& viewer);
 
   UndoStack<Setup> versions_;
+  int run_ = 0;                             ///< of SceneControl::runsSoFar(), the one that the hand work is of
   std::map<std::string, Scene> originals_;  ///< by scene name
 };
 

@@ -63,6 +63,7 @@ class Ghost {
 
   /// Of the last time in step; none before that, and none since a return in time until they meet again.
   [[nodiscard]] const std::optional<GhostGap>& gap() const { return gap_; }
+  [[nodiscard]] const Sheet& sheet() const { return main_->sheet(); }  ///< with its pins and what was cut
   /// The ghost's x, y, z, m.
   [[nodiscard]] std::span<const float> positions() const { return positions_; }
   /// The distance of each particle at gap()'s time, m; empty without a gap.

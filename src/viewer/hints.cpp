@@ -16,8 +16,9 @@ namespace {
 struct Hint {
   std::string_view name, text;
 };
-constexpr std::array<Hint, 3> kHints{
-    Hint{"push", "A click on the cloth pushes it."},
+constexpr std::array<Hint, 4> kHints{
+    Hint{"push", "A click on the cloth pushes it, and a drag grabs it."},
+    Hint{"tools", "The left button has three tools: F1 pushes and grabs, F2 pins, F3 cuts."},
     Hint{"chart", "C shows a chart of how fast and how accurate every method is in this scene."},
     Hint{"ghost", "G shows where the cloth would be if it were computed without errors."},
 };

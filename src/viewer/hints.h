@@ -1,4 +1,4 @@
-// Three hints for newcomers, each shown once and never again. Must not know: how they are drawn.
+// Four hints for newcomers, each shown once and never again. Must not know: how they are drawn.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ std::optional<std::filesystem::path> hintsFile();
 
 class Hints {
  public:
-  enum class Topic { Push, Chart, Ghost };
+  enum class Topic { Push, Tools, Chart, Ghost };
   static constexpr double kSeconds = 20;  ///< that a hint stays when nobody follows it
 
   /// Hints that `file` says were seen are not shown. Nothing: none at all. A file that cannot be read or written costs
@@ -27,7 +27,7 @@ class Hints {
   void did(Topic topic);
 
  private:
-  static constexpr std::size_t kCount = 3;
+  static constexpr std::size_t kCount = 4;
   void seen(std::size_t hint);
 
   std::optional<std::filesystem::path> file_;

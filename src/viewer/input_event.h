@@ -9,6 +9,11 @@ using KeyCode = char;
 inline constexpr KeyCode kEscapeKey = 27, kEnterKey = 13, kTabKey = 9;
 inline constexpr KeyCode kLeftButton = 1, kRightButton = 2, kMiddleButton = 3;
 inline constexpr KeyCode kWheel = 4;  ///< never pressed: names the wheel in the table of inputs
+/// Function keys, which are the same on every keyboard.
+inline constexpr KeyCode kFirstFunctionKey = 5;
+inline constexpr int kFunctionKeys = 3;
+/// A left drag with one of those keys down; never pressed: they name it in the table of inputs.
+inline constexpr KeyCode kControlDrag = 14, kShiftDrag = 15;
 inline constexpr bool isMouse(KeyCode key) { return key >= kLeftButton && key <= kWheel; }
 
 /// One thing that happened. Positions are in pixels of the framebuffer from its top left corner.
@@ -18,7 +23,7 @@ struct WindowEvent {
   KeyCode key = 0;                      ///< Press, Release
   double x = 0, y = 0;                  ///< Move, and Press and Release of a mouse button
   double notches = 0;                   ///< Scroll: wheel steps, positive away from the person
-  bool control = false, shift = false;  ///< Press: those keys are down as well
+  bool control = false, shift = false;  ///< Press, of keys and buttons: those keys are down as well
 };
 
 /// Pixels; 0 x 0 while nothing of the window can be seen.

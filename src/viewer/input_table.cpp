@@ -17,9 +17,14 @@ constexpr std::array kInputs{
     Input{'\'', Faster, "'", "slower, faster"},
     Input{'J', Again, "J", "again, slowly"},
     Input{'R', Restart, "R", "restart"},
-    Input{kLeftButton, UseTool, "left click", "push, or hold"},
+    Input{kLeftButton, UseTool, "left button", "the chosen tool"},
+    Input{kFirstFunctionKey, ChooseTool, "F1", "hand, pin, cut"},
+    Input{kFirstFunctionKey + 1, ChooseTool, "F2", "hand, pin, cut"},
+    Input{kFirstFunctionKey + 2, ChooseTool, "F3", "hand, pin, cut"},
     Input{kRightButton, LookAround, "right drag", "look around"},
     Input{kWheel, Approach, "wheel", "nearer, farther"},
+    Input{kControlDrag, LookAround, "Ctrl", "drag: look, nearer"},  // without a right button, without a wheel
+    Input{kShiftDrag, Approach, "Shift", "drag: look, nearer"},
     Input{'W', MoveForward, "W", "move"},
     Input{'A', MoveLeft, "A", "move"},
     Input{'S', MoveBack, "S", "move"},
@@ -76,6 +81,14 @@ const Input* findInput(KeyCode key) {
 std::size_t methodSlot(KeyCode key) {
   constexpr std::string_view kRow = "1234567890-";  // as on the keyboard
   return kRow.find(key);
+}
+
+std::size_t toolSlot(KeyCode key) { return static_cast<std::size_t>(key - kFirstFunctionKey); }
+
+std::string_view toolKeyName(std::size_t slot) {
+  if (slot >= static_cast<std::size_t>(kFunctionKeys)) return {};
+  const Input* input = findInput(static_cast<KeyCode>(kFirstFunctionKey + static_cast<int>(slot)));
+  return input == nullptr ? std::string_view() : input->keyName;
 }
 
 std::vector<HelpLine> helpLines(std::span<const std::string_view> methods) {

@@ -15,7 +15,7 @@ namespace tyg {
 // clang-format off
 enum class InputAction {
   StartOrPause, StepBack, Step, Slower, Faster, Again, Restart,
-  UseTool, LookAround, Approach,
+  UseTool, ChooseTool, LookAround, Approach,
   MoveForward, MoveLeft, MoveBack, MoveRight, MoveDown, MoveUp, FrameCloth,
   SmallerStep, LargerStep, SafeStep, HoldingMethod, RunOn,
   OpenControl, OpenGallery, OpenChart, OpenGhost, OpenStretch, OpenEnergy, OpenTraces,
@@ -41,6 +41,11 @@ std::span<const Input> inputTable();
 const Input* findInput(KeyCode key);
 /// The method that a number key chooses, as its slot in methods(): 1 the first, 0 the tenth, - the eleventh.
 std::size_t methodSlot(KeyCode key);
+
+/// The tool that a function key chooses, as its slot in toolTable().
+std::size_t toolSlot(KeyCode key);
+/// `F1` and so on: the key that chooses the tool in a slot; empty where there is none.
+std::string_view toolKeyName(std::size_t slot);
 
 /// A line of the help on screen.
 struct HelpLine {

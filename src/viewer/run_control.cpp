@@ -148,6 +148,7 @@ void RunControl::showStart() {
 
 void RunControl::advance(double frameSeconds, double otherSeconds) {
   if (seeking()) return seek();
+  if (state_ != RunState::Frozen && simulation_.ticks() == shown_.tick()) shown_.followSheet(simulation_);
   if (state_ != RunState::Running || asleep()) return;
   playback_.clock().setTick(simulation_.dt());
   playback_.clock().ran(run(playback_.clock().due(frameSeconds), std::max(kSimulatingSeconds, otherSeconds)));

@@ -15,9 +15,9 @@ class RunListener {
   RunListener(const RunListener&) = delete;
   RunListener& operator=(const RunListener&) = delete;
 
-  /// Before ticks at the newest time, not while the past is simulated again. May act on the simulation. Returns how
-  /// many ticks may pass at most, 1 at least, before it must be asked again.
-  virtual std::int64_t beforeTicks(Simulation& simulation) = 0;
+  /// Before ticks at the newest time, not while the past is simulated again; `due` of them are left in this frame. May
+  /// act on the simulation. Returns how many ticks may pass at most, 1 at least, before it must be asked again.
+  virtual std::int64_t beforeTicks(Simulation& simulation, std::int64_t due) = 0;
   /// Whether something acts on the cloth at this tick that moves it: such a cloth does not fall asleep.
   [[nodiscard]] virtual bool actsAt(std::int64_t tick) const = 0;
   /// The simulation came to a time that had another method, step or live parameters.

@@ -84,11 +84,16 @@ void SceneControl::begin(const Scene& scene, bool newSheet) {
   scene_ = scene;
   method_ = &method;
   if (newSheet) ++sheetsSoFar_;
+  ++runsSoFar_;
   run_.startOver(std::move(fresh));
   if (running) run_.startOrPause();
 }
 
-void SceneControl::restart() { run_.startOver(Simulation(scene_, *method_, settings_)); }
+void SceneControl::restart() {
+  Simulation fresh(scene_, *method_, settings_);
+  ++runsSoFar_;
+  run_.startOver(std::move(fresh));
+}
 
 void SceneControl::followLedger(bool on) {
   settings_.ledger = on;

@@ -43,6 +43,8 @@ class SceneControl {
   [[nodiscard]] const Settings& settings() const { return settings_; }
   /// Counts the sheets there have been: what is made for one sheet is made anew when this changes.
   [[nodiscard]] int sheetsSoFar() const { return sheetsSoFar_; }
+  /// Counts the runs there have been, from any start.
+  [[nodiscard]] int runsSoFar() const { return runsSoFar_; }
   /// `step of 2 ms`, or `tolerance of 0.1 mm` for a method that chooses its own steps. Allocates nothing.
   void describeStep(StepText& text) const;
 
@@ -58,7 +60,7 @@ class SceneControl {
   Scene scene_;
   Settings settings_;
   const Method* method_;
-  int sheetsSoFar_ = 1;
+  int sheetsSoFar_ = 1, runsSoFar_ = 1;
 };
 
 }  // namespace tyg

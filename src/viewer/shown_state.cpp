@@ -21,6 +21,7 @@ bool ShownState::take(Simulation& simulation, bool pastAlarm) {
   time_ = simulation.time();
   tick_ = simulation.ticks();
   box_ = boxAround(positions_);
+  followSheet(simulation);
   return true;
 }
 

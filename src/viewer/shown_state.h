@@ -17,6 +17,12 @@ class ShownState {
   /// unless `pastAlarm`, where the alarm says that it is wrong. Allocates nothing but for another number of particles.
   bool take(Simulation& simulation, bool pastAlarm);
 
+  /// What was done to the sheet at the shown time without time passing.
+  void followSheet(const Simulation& simulation) {
+    if (sheet_ != simulation.sheet()) sheet_ = simulation.sheet();
+  }
+
+  [[nodiscard]] const Sheet& sheet() const { return sheet_; }                    ///< with its pins and what was cut
   [[nodiscard]] std::span<const float> positions() const { return positions_; }  ///< x, y, z of each particle, m
   [[nodiscard]] double time() const { return time_; }                            ///< s
   [[nodiscard]] std::int64_t tick() const { return tick_; }
@@ -28,6 +34,7 @@ class ShownState {
   double time_ = 0, kinetic_ = 0;
   std::int64_t tick_ = 0;
   Box box_;
+  Sheet sheet_;
 };
 
 }  // namespace tyg

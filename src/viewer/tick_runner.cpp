@@ -31,7 +31,7 @@ void TickRunner::run(Simulation& simulation, History& history, RunListener& list
   double now = start;
   while (simulation.ticks() < end && (simulation.ticks() == first || now - start < seconds)) {
     std::int64_t most = std::min(end - simulation.ticks(), ticksIn(start + seconds - now));
-    if (!history.past()) most = std::min(most, listener.beforeTicks(simulation));
+    if (!history.past()) most = std::min(most, listener.beforeTicks(simulation, end - simulation.ticks()));
     const std::int64_t before = simulation.ticks();
     tickBegan_ = now;
     history.tick(simulation, most);

@@ -20,18 +20,38 @@ void Tools::choose(std::string_view name) {
   if (kind == table.end()) {
     throw InputError("tool: found \"" + std::string(name) + "\", allowed: " + joined(table, &ToolKind::name));
   }
-  release();
-  chosen_ = static_cast<std::size_t>(kind - table.begin());
+  choose(static_cast<std::size_t>(kind - table.begin()));
+}
+
+void Tools::choose(std::size_t slot) {
+  if (slot >= tools_.size()) return;
+  letGo();
+  chosen_ = slot;
 }
 
 void Tools::press(glm::vec2 cursor) {
   if (run_.state() == RunState::Frozen || run_.seeking() || !view_.visible()) return;
+  pressed_ = true;
   chosen().press(scope(), cursor);
 }
 
-std::int64_t Tools::follow(Simulation& simulation) {
+void Tools::release() {
+  pressed_ = false;
+  chosen().release(scope());
+}
+
+void Tools::letGo() {
+  pressed_ = false;
+  chosen().letGo(scope());
+}
+
+void Tools::frame() {
+  for (const auto& tool : tools_) tool->frame(scope());
+}
+
+std::int64_t Tools::follow(Simulation& simulation, std::int64_t due) {
   std::int64_t ticks = std::numeric_limits<std::int64_t>::max();
-  for (const auto& tool : tools_) ticks = std::min(ticks, tool->follow(simulation));
+  for (const auto& tool : tools_) ticks = std::min(ticks, tool->follow(simulation, due));
   return ticks;
 }
 
@@ -45,7 +65,7 @@ void Tools::restart() {
 
 ToolDrawing Tools::drawing() const {
   for (const auto& tool : tools_) {
-    if (const ToolDrawing drawing = tool->drawing(run_); drawing.arrow) return drawing;
+    if (const ToolDrawing drawing = tool->drawing(run_); !drawing.empty()) return drawing;
   }
   return {};
 }

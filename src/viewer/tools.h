@@ -19,12 +19,20 @@ class Tools {
   /// or not to be seen.
   void press(glm::vec2 cursor);
   void move(glm::vec2 cursor) { chosen().move(scope(), cursor); }
-  void release() { chosen().release(); }
+  void release();
+  /// The button no longer counts; see Tool::letGo.
+  void letGo();
+  /// True where a turn of the wheel was for the tool.
+  bool scroll(float notches) { return chosen().scroll(scope(), notches); }
   /// The left button is this tool's from now on, and the tool before it lets go. Throws InputError, which names all
   /// tools, where there is none of this name.
   void choose(std::string_view name);
+  /// By its slot in the table; does nothing beyond the last one.
+  void choose(std::size_t slot);
+  /// Once a frame, before its ticks.
+  void frame();
   /// Before ticks; see Tool::follow. The least of what the tools allow.
-  std::int64_t follow(Simulation& simulation);
+  std::int64_t follow(Simulation& simulation, std::int64_t due);
   [[nodiscard]] bool actsAt(std::int64_t tick) const;
   void restart();
   /// The particles are those of another sheet.
@@ -33,6 +41,8 @@ class Tools {
   void setStrength(double factor);
 
   [[nodiscard]] const ToolRecord& record() const { return record_; }
+  [[nodiscard]] std::size_t chosenSlot() const { return chosen_; }  ///< in the table
+  [[nodiscard]] bool pressed() const { return pressed_; }           ///< the button is down for the chosen tool
   [[nodiscard]] double strength() const { return record_.strength; }
   /// Of the first tool in the table that draws something.
   [[nodiscard]] ToolDrawing drawing() const;
@@ -47,6 +57,7 @@ class Tools {
   ToolRecord record_;
   std::vector<std::unique_ptr<Tool>> tools_;  ///< one for each line of the table
   std::size_t chosen_ = 0;
+  bool pressed_ = false;
 };
 
 }  // namespace tyg

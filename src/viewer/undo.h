@@ -26,6 +26,17 @@ class UndoStack {
     if (versions_.size() > kMost) versions_.pop_front();
     present_ = versions_.size() - 1;
   }
+  /// Changes every version with `change`, and drops those that it makes equal to the one before them.
+  template <class Change>
+  void rewrite(const Change& change) {
+    std::deque<T> kept;
+    for (std::size_t k = 0, before = present_; k < versions_.size(); ++k) {
+      change(versions_[k]);
+      if (kept.empty() || versions_[k] != kept.back()) kept.push_back(std::move(versions_[k]));
+      if (k == before) present_ = kept.size() - 1;
+    }
+    versions_ = std::move(kept);
+  }
   [[nodiscard]] bool canUndo() const { return present_ > 0; }
   [[nodiscard]] bool canRedo() const { return present_ + 1 < versions_.size(); }
   /// The version before the present one, which it becomes; the present one where there is none before.

@@ -12,7 +12,7 @@ namespace tyg {
 namespace {
 
 constexpr const char* kHeader =
-    "frame,wall_s,sim_s,state,integrator,dt,eye_x,eye_y,eye_z,picked,pushes,kinetic_J,alarm\n";
+    "frame,wall_s,sim_s,state,integrator,dt,eye_x,eye_y,eye_z,picked,pushes,kinetic_J,alarm,tool,held,pins,cuts\n";
 
 /// Comma-separated fields in a fixed buffer. Numbers read back to the same value, whatever the locale.
 class Fields {
@@ -37,7 +37,7 @@ class Fields {
   void comma() {
     if (end_ != text_.data()) *end_++ = ',';
   }
-  std::array<char, 1024> text_{};  // 13 fields of at most 25 characters and short names
+  std::array<char, 1024> text_{};  // 17 fields of at most 25 characters and short names
   char* end_ = text_.data();
 };
 
@@ -56,6 +56,7 @@ void ViewLog::write(const ViewLogLine& line) {
   fields.number(line.frame).number(line.wall).number(line.time).word(line.state).word(line.integrator);
   fields.number(line.dt).number(line.eye.x).number(line.eye.y).number(line.eye.z);
   fields.number(line.picked).number(line.pushes).number(line.kinetic).word(line.alarm);
+  fields.word(line.tool).number(line.held).number(line.pins).number(line.cuts);
   const std::string_view text = fields.line();
   if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() || std::fflush(file_.get()) != 0) {
     throw InputError(fmt::format("--log: '{}' cannot be written any more ({})", path_.string(), std::strerror(errno)));

@@ -25,6 +25,10 @@ struct ViewLogLine {
   int pushes = 0;          ///< clicks so far
   double kinetic = 0;      ///< J
   std::string_view alarm;  ///< ok, unstable or not-finite
+  std::string_view tool;   ///< that is chosen
+  int held = -1;           ///< particle that is grabbed; -1: none
+  int pins = 0;            ///< how many particles are pinned
+  int cuts = 0;            ///< by hand, that are not taken back
 };
 
 class ViewLog {

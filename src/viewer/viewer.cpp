@@ -13,6 +13,8 @@ namespace {
 
 using enum InputAction;
 
+constexpr float kNotchesPerPixel = 0.05F;  // of a drag upwards, which comes nearer as the wheel does
+
 }  // namespace
 
 Viewer::Viewer(const Scene& scene, const Settings& settings, Clock clock)
@@ -60,9 +62,11 @@ void Viewer::dispatch(const WindowEvent& event) {
     case WindowEvent::Kind::Move:
       return moveCursor({event.x, event.y});
     case WindowEvent::Kind::Scroll:
-      return view_.approach(static_cast<float>(event.notches));
+      if (!tools_.scroll(static_cast<float>(event.notches))) view_.approach(static_cast<float>(event.notches));
+      return;
     case WindowEvent::Kind::FocusLost:
-      tools_.release();
+      leftDrag_ = LeftDrag::Tool;
+      tools_.letGo();
       return keys_.releaseAll();
     case WindowEvent::Kind::Exposed:
       return;
@@ -73,21 +77,29 @@ void Viewer::press(const Input& input, const WindowEvent& event) {
   notes_.clear();
   if (isMouse(input.key)) cursor_ = {event.x, event.y};
   keys_.press(input, clock_());
-  if (input.action == UseTool) return tools_.press(cursor_);
+  if (input.action == UseTool) return pressLeft(event);
+  if (input.action == ChooseTool) return tools_.choose(toolSlot(input.key));
   if (input.action == ChooseMethod) return scenes_.chooseMethod(methodSlot(input.key));
   perform(input.action);
+}
+
+void Viewer::pressLeft(const WindowEvent& event) {
+  leftDrag_ = event.control ? LeftDrag::Look : event.shift ? LeftDrag::Approach : LeftDrag::Tool;
+  if (leftDrag_ == LeftDrag::Tool) tools_.press(cursor_);
 }
 
 void Viewer::release(KeyCode key) {
   keys_.release(key);
   const Input* input = findInput(key);
-  if (input != nullptr && input->action == UseTool) tools_.release();
+  if (input == nullptr || input->action != UseTool) return;
+  if (std::exchange(leftDrag_, LeftDrag::Tool) == LeftDrag::Tool) tools_.release();
 }
 
 void Viewer::moveCursor(glm::vec2 cursor) {
   const glm::vec2 moved = cursor - std::exchange(cursor_, cursor);
-  tools_.move(cursor);
-  if (keys_.held(LookAround)) view_.turn(moved);
+  if (leftDrag_ == LeftDrag::Tool) tools_.move(cursor);
+  if (keys_.held(LookAround) || leftDrag_ == LeftDrag::Look) view_.turn(moved);
+  if (leftDrag_ == LeftDrag::Approach) view_.approach(-kNotchesPerPixel * moved.y);
 }
 
 void Viewer::perform(InputAction action) {
@@ -140,7 +152,9 @@ void Viewer::resize(Extent pixels, const Insets& insets) {
   view_.resize(pixels, insets);
 }
 
-bool Viewer::idle() const { return run_.resting() && !keys_.repeats() && !keys_.held(LookAround) && !keys_.moves(); }
+bool Viewer::idle() const {
+  return run_.resting() && !keys_.repeats() && !keys_.held(LookAround) && !keys_.moves() && !tools_.pressed();
+}
 
 bool Viewer::behind() const { return run_.state() == RunState::Running && pace().behind && !run_.asleep(); }
 
@@ -152,6 +166,7 @@ void Viewer::frame() {
   if (keys_.repeats() && !run_.seeking()) {
     if (const auto action = keys_.due(clock_())) perform(*action);
   }
+  tools_.frame();
   run_.advance(seconds, pace_.otherSeconds());
   run_.updateMargin(scenes_.scene());
   if (!woken_ && !idle()) pace_.measure(seconds, clock_() - now, run_.frameClock());
@@ -167,9 +182,13 @@ ViewLogLine Viewer::logLine() const {
           .dt = simulation.dt(),
           .eye = {eye.x, eye.y, eye.z},
           .picked = tools_.record().picked,
-          .pushes = tools_.record().uses,
+          .pushes = tools_.record().pushes,
           .kinetic = run_.shown().kinetic(),
-          .alarm = nameOf(simulation.status())};
+          .alarm = nameOf(simulation.status()),
+          .tool = toolTable()[tools_.chosenSlot()].name,
+          .held = simulation.held().empty() ? -1 : simulation.held().front(),
+          .pins = static_cast<int>(simulation.sheet().pins.size() - simulation.held().size()),
+          .cuts = simulation.cuts()};
 }
 
 }  // namespace tyg

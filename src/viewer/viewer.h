@@ -48,13 +48,16 @@ class Viewer final : private RunListener {
   [[nodiscard]] ViewLogLine logLine() const;
 
  private:
-  std::int64_t beforeTicks(Simulation& simulation) override { return tools_.follow(simulation); }
+  std::int64_t beforeTicks(Simulation& simulation, std::int64_t due) override { return tools_.follow(simulation, due); }
   [[nodiscard]] bool actsAt(std::int64_t tick) const override { return tools_.actsAt(tick); }
   void settingsReturned() override { scenes_.followSimulation(); }
   void runBegan() override;
 
   void dispatch(const WindowEvent& event);
+  /// What dragging the left button does, by the keys that were down when it went down.
+  enum class LeftDrag { Tool, Look, Approach };
   void press(const Input& input, const WindowEvent& event);
+  void pressLeft(const WindowEvent& event);
   void release(KeyCode key);
   void moveCursor(glm::vec2 cursor);
   void act(InputAction action);
@@ -70,6 +73,7 @@ class Viewer final : private RunListener {
   PaceMeter pace_;
   std::vector<Body> bodies_;  ///< where they are at the shown time
   glm::vec2 cursor_{0};
+  LeftDrag leftDrag_ = LeftDrag::Tool;
   int sheet_ = 0;         ///< of scenes_.sheetsSoFar(), the one that the view and the tools are of
   double lastFrame_ = 0;  ///< s, of the clock
   bool woken_ = false;    ///< this frame ends an idle time

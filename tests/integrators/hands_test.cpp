@@ -294,6 +294,15 @@ TEST(Hands, ReplayToTheSameBitsAndGoBack) {
   }
 }
 
+TEST(Hands, ReplayWhatTheyDidAfterTheLastTick) {
+  Simulation live(hangingSheet(), findMethod("rk4")), again(hangingSheet(), findMethod("rk4"));
+  live.tick(40), live.pin(60, true), live.cut(kAcross);
+  again.replay(live.log(), methods());
+  again.tick(40);
+  EXPECT_EQ(again.hash(), live.hash());
+  EXPECT_EQ(again.sheet(), live.sheet());
+}
+
 TEST(Hands, RefuseWhatIsNotThere) {
   Simulation simulation(hangingSheet(), findMethod("rk4"));
   EXPECT_THROW(simulation.pin(63, true), InputError);

@@ -63,7 +63,23 @@ class WindowRouterTest : public PanelsFixture {
 TEST_F(WindowRouterTest, APressOnTheClothIsTheViewers) {
   frames();
   EXPECT_EQ(pressAt(640, 300), "viewer");
+  EXPECT_EQ(releaseAt(640, 300), "viewer");
   EXPECT_EQ(viewer_.tools().record().uses, 1);
+}
+
+TEST_F(WindowRouterTest, APressOnTheBarOfToolsChoosesOneAndTouchesNoCloth) {
+  frames();
+  int chosen = 0;
+  std::size_t slot = 0;
+  for (double x = 300; x < 1000; x += 10) {
+    if (pressAt(x, 18) == "buttons" && viewer_.tools().chosenSlot() != slot) ++chosen, ++slot;
+    releaseAt(x, 18);
+  }
+  EXPECT_EQ(chosen, 2) << "from the hand to the pin, and on to the cut";
+  EXPECT_EQ(viewer_.logLine().tool, "cut");
+  EXPECT_TRUE(viewer_.run().record().events.empty() ||
+              std::holds_alternative<PushEvent>(viewer_.run().record().events[0].action))
+      << "what is beside the bar is the cloth's";
 }
 
 TEST_F(WindowRouterTest, APressOnAPanelIsThePanels) {

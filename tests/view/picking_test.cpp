@@ -76,6 +76,18 @@ TEST(Picking, AClickBesideTheClothFindsNothingBeyondTheRadius) {
   EXPECT_EQ(pickParticle(camera, corner + 30.0F * outward, kWindow, sheet, xyz), std::nullopt);
 }
 
+TEST(Picking, FindsNothingBetweenTwoPartsOfACutCloth) {
+  Sheet sheet = sheetOf(10, 10);
+  std::vector<float> xyz = startOf(sheet);
+  for (std::size_t i = 50; i < 100; ++i) xyz[3 * i + 1] -= 1;
+  const Camera camera = cameraOn(xyz);
+  const glm::vec2 between = (pixelOf(camera, xyz, 44) + pixelOf(camera, xyz, 54)) / 2.0F;
+  EXPECT_TRUE(pickParticle(camera, between, kWindow, sheet, xyz)) << "stretched cells";
+  sheet.missing = sheet.missing.withCut(10, 10, {-1, 4.5, 10, 4.5});
+  EXPECT_FALSE(pickParticle(camera, between, kWindow, sheet, xyz));
+  EXPECT_EQ(pickParticle(camera, pixelOf(camera, xyz, 44), kWindow, sheet, xyz), 44);
+}
+
 TEST(Picking, NeverPicksBehindTheEyeOrWhatIsNotFinite) {
   const Sheet sheet = sheetOf(6, 6);
   std::vector<float> xyz = startOf(sheet);

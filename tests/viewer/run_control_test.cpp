@@ -81,7 +81,6 @@ TEST_F(ViewerTest, GoingOnFromThePastForgetsWhatCameAfter) {
   tap(' ');
   frames(30);
   clickOnCloth();
-  release(kLeftButton);
   frames(30);
   viewer_.run().turnToTime(0.1);
   tap(' ');

@@ -1,10 +1,10 @@
-// What the left button does, without a window: the push tool, and what holds for every tool of the table.
+// What the left button does, without a window: pushing, and what holds for every tool of the table.
 #include "viewer/tools.h"
 
 #include <set>
 
 #include <gtest/gtest.h>
-#include "viewer/push_tool.h"
+#include "viewer/push.h"
 
 #include "viewer/viewer_fixture.h"
 
@@ -13,7 +13,6 @@ namespace {
 
 TEST_F(ViewerTest, AClickPushesTheParticleUnderTheCursorAwayFromTheEye) {
   clickOnCloth();
-  release(kLeftButton);
   ASSERT_TRUE(viewer_.tools().drawing().arrow);
   EXPECT_EQ(viewer_.tools().drawing().arrow->particle, 210);
   const Vec3 force = viewer_.tools().drawing().arrow->force;
@@ -23,7 +22,7 @@ TEST_F(ViewerTest, AClickPushesTheParticleUnderTheCursorAwayFromTheEye) {
 }
 
 TEST_F(ViewerTest, AClickThatMissesPushesTheMiddleParticleAlongZ) {
-  press(kLeftButton, 5, 700);
+  press(kLeftButton, 5, 700), release(kLeftButton);
   ASSERT_TRUE(viewer_.tools().drawing().arrow);
   EXPECT_EQ(viewer_.tools().drawing().arrow->particle, 210);
   EXPECT_EQ(viewer_.tools().drawing().arrow->force.x, 0);
@@ -33,14 +32,13 @@ TEST_F(ViewerTest, AClickThatMissesPushesTheMiddleParticleAlongZ) {
 
 TEST_F(ViewerTest, AClickPushesForATenthOfASecondInWholeTicks) {
   clickOnCloth();
-  release(kLeftButton);
   const EventLog log = viewer_.run().record();
   ASSERT_EQ(log.events.size(), 1U);
   EXPECT_EQ(std::get<PushEvent>(log.events[0].action).ticks, 50);  // 0.1 s of 2 ms
 }
 
-TEST_F(ViewerTest, HoldingTheButtonGoesOnWithoutDoublingTheForce) {
-  clickOnCloth();
+TEST_F(ViewerTest, HoldingTheButtonStillGoesOnWithoutDoublingTheForce) {
+  pressOnCloth();
   tap(' ');
   frames(30);
   release(kLeftButton);
@@ -56,7 +54,7 @@ TEST_F(ViewerTest, HoldingTheButtonGoesOnWithoutDoublingTheForce) {
 
 TEST_F(ViewerTest, StrengthMultipliesTheForceOfAClick) {
   viewer_.tools().setStrength(2);
-  press(kLeftButton, 5, 700);
+  press(kLeftButton, 5, 700), release(kLeftButton);
   const double usual = usualPush(viewer_.run().simulation().sheet());
   EXPECT_DOUBLE_EQ(viewer_.tools().drawing().arrow->force.z, 2 * usual);
   viewer_.tools().setStrength(1e9);
@@ -66,7 +64,6 @@ TEST_F(ViewerTest, StrengthMultipliesTheForceOfAClick) {
 TEST_F(ViewerTest, AnArrowStaysLongEnoughToBeSeenAndThenGoes) {
   tap(' ');
   clickOnCloth();
-  release(kLeftButton);
   frames(12);
   EXPECT_TRUE(viewer_.tools().drawing().arrow) << "0.2 s: the push is over, and still shown";
   frames(12);
@@ -75,7 +72,7 @@ TEST_F(ViewerTest, AnArrowStaysLongEnoughToBeSeenAndThenGoes) {
 
 TEST_F(ViewerTest, TheArrowStaysWhileTheButtonIsHeldHoweverLongTheFramesAre) {
   tap(' ');
-  clickOnCloth();
+  pressOnCloth();
   for (int frame = 0; frame < 10; ++frame) {
     frames(1, 0.25);  // a tenth of a simulated second each, which whole pushes fill
     EXPECT_TRUE(viewer_.tools().drawing().arrow) << frame;
@@ -91,24 +88,30 @@ TEST_F(ViewerTest, AFrozenClothTakesNoTool) {
 
 TEST_F(ViewerTest, ARestartLetsGoOfTheCloth) {
   tap(' ');
-  clickOnCloth();
+  pressOnCloth();
+  frames(15);
   tap('R'), tap(' ');
   frames(30);
   EXPECT_TRUE(viewer_.run().record().events.empty()) << "the button is still down, but not on this run";
 }
 
-TEST_F(ViewerTest, AToolIsChosenByItsNameAndTheOneBeforeLetsGo) {
-  clickOnCloth();
+TEST_F(ViewerTest, AToolIsChosenByItsNameOrKeyAndTheOneBeforeLetsGo) {
+  pressOnCloth();
   tap(' ');
-  viewer_.tools().choose("push");
+  frames(15);
+  viewer_.tools().choose("pin");
   frames(30);
-  EXPECT_EQ(viewer_.run().record().events.size(), 1U) << "the button is still down, but not for this tool";
+  EXPECT_LE(viewer_.run().record().events.size(), 2U) << "the button is still down, but not for this tool";
   EXPECT_TRUE(viewer_.tools().record().uses == 1 && viewer_.tools().record().picked == 210);
+  tap(kFirstFunctionKey + 2);
+  EXPECT_EQ(viewer_.logLine().tool, "cut");
+  tap(kFirstFunctionKey);
+  EXPECT_EQ(viewer_.logLine().tool, "hand");
 }
 
 TEST_F(ViewerTest, WhatAToolLeftActingGoesOnWhenAnotherIsChosen) {
   clickOnCloth();
-  viewer_.tools().choose("push");
+  viewer_.tools().choose("cut");
   EXPECT_TRUE(viewer_.tools().actsAt(49));
   EXPECT_FALSE(viewer_.tools().actsAt(50));
   EXPECT_TRUE(viewer_.tools().drawing().arrow);
@@ -119,33 +122,41 @@ TEST_F(ViewerTest, AnUnknownToolIsRefusedWithTheNamesOfAll) {
     viewer_.tools().choose("scissors");
     FAIL() << "there are no scissors";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "tool: found \"scissors\", allowed: push");
+    EXPECT_STREQ(error.what(), "tool: found \"scissors\", allowed: hand, pin, cut");
   }
 }
 
 TEST(ToolTable, NamesEveryToolOnce) {
   std::set<std::string_view> names;
-  for (const ToolKind& kind : toolTable()) EXPECT_TRUE(names.insert(kind.name).second) << kind.name;
-  EXPECT_EQ(toolTable().front().name, "push");
+  for (const ToolKind& kind : toolTable()) {
+    EXPECT_TRUE(names.insert(kind.name).second) << kind.name;
+    EXPECT_FALSE(kind.does.empty() || kind.how.empty() || kind.icon.empty()) << kind.name;
+  }
+  for (std::size_t slot = 0; slot < toolTable().size(); ++slot) EXPECT_FALSE(toolKeyName(slot).empty()) << slot;
+  EXPECT_EQ(toolTable().front().name, "hand");
 }
 
 TEST_F(ViewerTest, WhatAnyToolDoesIsInTheLogAndReplaysToTheSameState) {
   for (const ToolKind& kind : toolTable()) {
-    const auto tool = kind.make();
-    tap('R'), tap(' ');
-    ToolRecord record;
-    Notes notes;
-    const ToolScope scope{viewer_.run(), viewer_.view(), notes, record};
-    tool->press(scope, {640, 360});
-    EXPECT_EQ(record.uses, 1) << kind.name;
-    frames(10);
-    tool->release();
-    const EventLog log = viewer_.run().record();
-    EXPECT_FALSE(log.events.empty()) << kind.name;
-    Simulation again(curtain(), findMethod(log.integrator), {.threads = 1});
-    again.replay(log, methods());
-    again.tick(log.ticks);
-    EXPECT_EQ(hashText(again), log.hash) << kind.name;
+    for (const bool drags : {false, true}) {
+      if (kind.name == "cut" && !drags) continue;
+      viewer_.tools().choose(kind.name);
+      tap('R'), tap(' ');
+      frames(20);
+      const int uses = viewer_.tools().record().uses;
+      pressOnCloth();
+      if (drags) moveTo(placeOf(210) + glm::dvec2(60, 40));
+      frames(15);
+      release(kLeftButton);
+      EXPECT_EQ(viewer_.tools().record().uses, uses + 1) << kind.name;
+      frames(10);
+      const EventLog log = viewer_.run().record();
+      EXPECT_FALSE(log.events.empty()) << kind.name;
+      Simulation again(curtain(), findMethod(log.integrator), {.threads = 1});
+      again.replay(parseEventLog(formatEventLog(log), "log"), methods());
+      again.tick(log.ticks);
+      EXPECT_EQ(hashText(again), log.hash) << kind.name;
+    }
   }
 }
 

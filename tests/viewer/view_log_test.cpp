@@ -13,7 +13,7 @@ namespace tyg {
 namespace {
 
 constexpr const char* kHeader =
-    "frame,wall_s,sim_s,state,integrator,dt,eye_x,eye_y,eye_z,picked,pushes,kinetic_J,alarm\n";
+    "frame,wall_s,sim_s,state,integrator,dt,eye_x,eye_y,eye_z,picked,pushes,kinetic_J,alarm,tool,held,pins,cuts\n";
 
 class ViewLogTest : public testing::Test {
  protected:
@@ -39,8 +39,12 @@ TEST_F(ViewLogTest, EachLineIsThereAsSoonAsItIsWritten) {
              .picked = 210,
              .pushes = 2,
              .kinetic = 0.75,
-             .alarm = "ok"});
-  EXPECT_EQ(contents(), std::string(kHeader) + "7,0.5,0.25,running,rk4,0.002,1,-2,3.5,210,2,0.75,ok\n");
+             .alarm = "ok",
+             .tool = "cut",
+             .held = 3,
+             .pins = 4,
+             .cuts = 5});
+  EXPECT_EQ(contents(), std::string(kHeader) + "7,0.5,0.25,running,rk4,0.002,1,-2,3.5,210,2,0.75,ok,cut,3,4,5\n");
 }
 
 TEST_F(ViewLogTest, NumbersReadBackToTheSameValue) {
@@ -68,8 +72,12 @@ TEST_F(ViewLogTest, TheWidestLineFits) {
              .picked = std::numeric_limits<int>::min(),
              .pushes = std::numeric_limits<int>::min(),
              .kinetic = widest,
-             .alarm = "not-finite"});
-  EXPECT_TRUE(contents().ends_with(",not-finite\n"));
+             .alarm = "not-finite",
+             .tool = "hand",
+             .held = std::numeric_limits<int>::min(),
+             .pins = std::numeric_limits<int>::min(),
+             .cuts = std::numeric_limits<int>::min()});
+  EXPECT_TRUE(contents().ends_with(",-2147483648\n"));
 }
 
 TEST_F(ViewLogTest, ANewLogReplacesAnOldOne) {

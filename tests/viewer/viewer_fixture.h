@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tyg/methods.h"
+#include "view/picking.h"
 #include "viewer/viewer.h"
 
 namespace tyg {
@@ -29,14 +30,16 @@ class ViewerTest : public testing::Test {
       viewer_.frame();
     }
   }
-  /// A click on the middle of the cloth as it is seen now.
-  void clickOnCloth() {
-    const auto xyz = viewer_.run().shown().positions();
-    const std::size_t middle = 3 * 210;  // column 10, row 10 of the 20 x 20 curtain
-    const glm::vec4 clip = viewer_.view().camera().projection(1280.0F / 720) * viewer_.view().camera().view() *
-                           glm::vec4(xyz[middle], xyz[middle + 1], xyz[middle + 2], 1);
-    press(kLeftButton, 640 * (1 + double(clip.x / clip.w)), 360 * (1 - double(clip.y / clip.w)));
+  /// Where a particle is seen now, in pixels.
+  [[nodiscard]] glm::dvec2 placeOf(int particle) const {
+    const auto xyz = viewer_.run().shown().positions().subspan(3 * static_cast<std::size_t>(particle), 3);
+    return placeInWindow(viewer_.view().camera(), {xyz[0], xyz[1], xyz[2]}, {1280, 720});
   }
+  void pressAt(glm::dvec2 place) { press(kLeftButton, place.x, place.y); }
+  void moveTo(glm::dvec2 place) { viewer_.handle({.kind = Kind::Move, .x = place.x, .y = place.y}); }
+  /// A press on the middle of the cloth as it is seen now: column 10, row 10 of the 20 x 20 curtain.
+  void pressOnCloth() { pressAt(placeOf(210)); }
+  void clickOnCloth() { pressOnCloth(), release(kLeftButton); }
   [[nodiscard]] std::int64_t ticks() const { return viewer_.run().simulation().ticks(); }
 
   double now_ = 100;

@@ -84,8 +84,8 @@ TEST_F(ViewerTest, LosingTheFocusReleasesHeldKeys) {
 TEST_F(ViewerTest, ARecordReplaysToTheSameHash) {
   tap(' ');
   frames(20);
-  clickOnCloth();
-  frames(9);
+  pressOnCloth();
+  frames(15);
   release(kLeftButton);
   tap('4');
   frames(20);
@@ -111,7 +111,7 @@ TEST_F(ViewerTest, ARestartHandsOutTheRecordOfTheRunThatEnded) {
 TEST_F(ViewerTest, AMinimisedWindowChangesNothing) {
   const glm::vec3 eye = viewer_.view().camera().eye();
   viewer_.resize({}, {});
-  press(kLeftButton, 10, 10);
+  press(kLeftButton, 10, 10), release(kLeftButton);
   tap('F');
   frames(3);
   EXPECT_EQ(viewer_.view().camera().eye(), eye);

@@ -114,6 +114,7 @@ class Studio {
     options.wind = windNow(motion.simulation(), camera.watched());
     options.bodies = motion.bodies();
     const auto draw = [&] {
+      renderer_.follow(motion.simulation().sheet());
       renderer_.draw(motion.xyz(), camera, request_.size, options, pushNow(motion.simulation()));
     };
     const auto read = [&] { offscreen_->readPixels(picture_); };

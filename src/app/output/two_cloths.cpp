@@ -24,14 +24,19 @@ glm::vec3 unit(const std::array<std::uint8_t, 3>& colour) {
   return glm::vec3(colour[0], colour[1], colour[2]) / 255.0F;
 }
 
-std::vector<float> positionsAt(const Scene& scene, double time) {
+/// A cloth at a time.
+struct Cloth {
+  Sheet sheet;             ///< with what was cut
+  std::vector<float> xyz;  ///< m
+};
+Cloth clothAt(const Scene& scene, double time) {
   Simulation simulation(scene, findMethod(scene.integrator));
   if (time > 0) simulation.advanceTo(time);
   if (simulation.status() != Status::Ok)
     throw InputError(oneLine(scene.title) + ": its run fails before the time of the picture");
   std::vector<float> xyz(3 * static_cast<std::size_t>(simulation.sheet().count()));
   simulation.copyPositions(xyz);
-  return xyz;
+  return {simulation.sheet(), std::move(xyz)};
 }
 
 std::unique_ptr<Offscreen> openOffscreen(glm::ivec2 size) {
@@ -46,7 +51,8 @@ std::unique_ptr<Offscreen> openOffscreen(glm::ivec2 size) {
 
 Picture overlaid(const Overlaid& first, const Overlaid& second, double time, const std::string& title,
                  glm::ivec2 size) {
-  const std::vector<float> one = positionsAt(first.scene, time), other = positionsAt(second.scene, time);
+  const Cloth oneCloth = clothAt(first.scene, time), otherCloth = clothAt(second.scene, time);
+  const std::vector<float>&one = oneCloth.xyz, &other = otherCloth.xyz;
   std::vector<glm::vec3> points;
   for (const std::vector<float>* xyz : {&one, &other}) {
     for (std::size_t i = 0; i < xyz->size(); i += 3) points.emplace_back((*xyz)[i], (*xyz)[i + 1], (*xyz)[i + 2]);
@@ -59,7 +65,7 @@ Picture overlaid(const Overlaid& first, const Overlaid& second, double time, con
   camera.frame(points, static_cast<float>(size.x) / static_cast<float>(size.y));
 
   const auto offscreen = openOffscreen(size);
-  SheetRenderer oneSheet(makeSheet(first.scene)), otherSheet(makeSheet(second.scene));
+  SheetRenderer oneSheet(oneCloth.sheet), otherSheet(otherCloth.sheet);
   DrawOptions draw;
   draw.background = Background::Light;
   draw.pins = false;

@@ -34,6 +34,9 @@ class SheetChanges {
   /// The sheet as it is now.
   [[nodiscard]] const Sheet& sheet() const { return sheet_; }
   [[nodiscard]] bool holds(int particle) const;
+  [[nodiscard]] std::span<const int> held() const { return held_; }  ///< ascending
+  /// By hand, that are not taken back.
+  [[nodiscard]] int cuts() const { return static_cast<int>(beforeCuts_.size()); }
 
  private:
   void gatherPins();

@@ -153,6 +153,8 @@ int Simulation::threads() const { return impl_->workers.threads(); }
 const Scene& Simulation::scene() const { return impl_->scene; }
 const Scene& Simulation::startScene() const { return impl_->startScene; }
 const Sheet& Simulation::sheet() const { return impl_->sheet; }
+std::span<const int> Simulation::held() const { return impl_->run.changes.held(); }
+int Simulation::cuts() const { return impl_->run.changes.cuts(); }
 const Method& Simulation::method() const { return *impl_->run.method; }
 const EventLog& Simulation::log() const { return impl_->run.log; }
 Vec3 Simulation::position(int particle) const { return impl_->backend->position(particle); }

@@ -220,6 +220,7 @@ void Simulation::Impl::runTicks(std::int64_t count) {
     }
     run.log.ticks = run.clock.ticks();
   }
+  applyDueEvents();  // a record may end with what happened after its last tick: a particle that is pinned has stopped
 }
 
 }  // namespace tyg

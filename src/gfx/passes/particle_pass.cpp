@@ -3,8 +3,10 @@
 
 namespace tyg {
 
-ParticlePass::ParticlePass(const Canvas& canvas) : canvas_(canvas) {
-  const std::vector<int>& pins = canvas.sheet.pins;
+ParticlePass::ParticlePass(const Canvas& canvas) : canvas_(canvas) { changeSheet(); }
+
+void ParticlePass::changeSheet() {
+  const std::vector<int>& pins = canvas_.sheet.pins;
   glBindBuffer(GL_ARRAY_BUFFER, pins_.name());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(pins.size() * sizeof(int)), pins.data(), GL_STATIC_DRAW);
 }

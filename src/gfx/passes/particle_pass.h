@@ -10,6 +10,7 @@ class ParticlePass final : public Pass {
  public:
   explicit ParticlePass(const Canvas& canvas);
   void draw(const Frame& frame) override;
+  void changeSheet() override;
 
  private:
   const Canvas& canvas_;

@@ -34,6 +34,8 @@ class Pass {
   /// Draws its kind of thing where the options want it. It finds blending, depth test and depth writing switched on,
   /// and leaves them so. Allocates nothing, but for what it makes when a thing is shown for the first time.
   virtual void draw(const Frame& frame) = 0;
+  /// The canvas has the same sheet with other pins or springs.
+  virtual void changeSheet() {}
 };
 
 }  // namespace tyg

@@ -29,12 +29,12 @@ constexpr std::unique_ptr<Pass> (*kPasses[])(const Canvas& canvas){
     make<ParticlePass>,     make<PushPass>,  make<WindPass>,
 };
 
-std::unique_ptr<const Canvas> makeCanvas(const Sheet& sheet) {
+std::unique_ptr<Canvas> makeCanvas(const Sheet& sheet) {
   if (sheet.count() > Positions::mostPoints()) {
     throw InputError(fmt::format("sheet: found {} particles, allowed: up to {}, as this graphics driver draws no more",
                                  sheet.count(), Positions::mostPoints()));
   }
-  return std::make_unique<const Canvas>(sheet);
+  return std::make_unique<Canvas>(sheet);
 }
 
 void setState(glm::ivec2 pixels) {
@@ -53,6 +53,16 @@ SheetRenderer::SheetRenderer(const Sheet& sheet) : canvas_(makeCanvas(sheet)) {
   for (const auto& makePass : kPasses) passes_.push_back(makePass(*canvas_));
 }
 SheetRenderer::~SheetRenderer() = default;
+
+void SheetRenderer::follow(const Sheet& sheet) {
+  Sheet& known = canvas_->sheet;
+  if (sheet.columns != known.columns || sheet.rows != known.rows) {
+    throw std::invalid_argument("the renderer follows its own sheet");
+  }
+  if (sheet.pins == known.pins && sheet.missing == known.missing) return;
+  known = sheet;
+  for (const std::unique_ptr<Pass>& pass : passes_) pass->changeSheet();
+}
 
 void SheetRenderer::draw(std::span<const float> xyz, const Camera& camera, glm::ivec2 pixels,
                          const DrawOptions& options, const std::optional<ShownPush>& push) {

@@ -30,15 +30,19 @@ class SheetRenderer {
   SheetRenderer(const SheetRenderer&) = delete;
   SheetRenderer& operator=(const SheetRenderer&) = delete;
 
+  /// From now on the sheet has these pins and springs; draws nothing. Does nothing where it has them already. Throws
+  /// std::invalid_argument for a sheet of another size.
+  void follow(const Sheet& sheet);
   /// Clears the bound framebuffer (unless options.over) and draws one frame. `xyz` holds 3 * sheet.count() numbers
   /// (anything else throws std::invalid_argument), uploaded once. `pixels` is the framebuffer's size; zero draws
   /// nothing. The depth shading follows camera.watched(). A push on a particle that the sheet does not have is not
-  /// drawn. Allocates nothing, but for the lines of a family of springs, and a body, that is drawn for the first time.
+  /// drawn. Allocates nothing, but for the lines of a family of springs, and a body, that is drawn for the first time,
+  /// or for the first time with other springs.
   void draw(std::span<const float> xyz, const Camera& camera, glm::ivec2 pixels, const DrawOptions& options,
             const std::optional<ShownPush>& push = std::nullopt);
 
  private:
-  std::unique_ptr<const Canvas> canvas_;
+  std::unique_ptr<Canvas> canvas_;
   std::vector<std::unique_ptr<Pass>> passes_;
 };
 

@@ -37,6 +37,12 @@ void SpringPass::draw(const Frame& frame) {
   }
 }
 
+void SpringPass::changeSheet() {
+  if (missing_ == canvas_.sheet.missing) return;
+  missing_ = canvas_.sheet.missing;
+  for (auto& family : families_) family.reset();
+}
+
 void SpringPass::drawFamily(const Frame& frame, Family family, LineStyle style) {
   std::optional<LineEnds>& ends = families_.at(static_cast<std::size_t>(family));
   if (!ends) ends.emplace(linesOf(canvas_.sheet, family));

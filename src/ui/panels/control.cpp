@@ -19,7 +19,7 @@
 #include "core/scene/same_sides.h"
 #include "tyg/methods.h"
 #include "viewer/edits.h"
-#include "viewer/push_tool.h"
+#include "viewer/push.h"
 #include "viewer/viewer.h"
 
 namespace tyg {

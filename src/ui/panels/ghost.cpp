@@ -63,6 +63,7 @@ class GhostPanel final : public Panel {
   void paint(ClothPicture& picture) override {
     if (!ghost_ || !inStep_) return;
     picture.ghost = beside_ ? std::span<const float>(shifted_) : ghost_->positions();
+    picture.ghostSheet = &ghost_->sheet();
     picture.ghostOpacity = beside_ ? 1 : kOpacity;
     if (beside_) picture.ghostShift = way_;
     if (!colours()) return;

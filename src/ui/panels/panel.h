@@ -14,6 +14,7 @@ namespace tyg {
 
 class Edits;
 class Viewer;
+struct Sheet;
 struct WindowEvent;
 
 /// What a panel is drawn with.
@@ -30,9 +31,10 @@ struct PanelScope {
 /// How the cloth is drawn in a frame, for panels that show something on it.
 struct ClothPicture {
   DrawOptions options;
-  std::span<const float> ghost{};  ///< x, y, z of a second cloth of the same sheet, m; any other count: none
-  float ghostOpacity = 1;          ///< 0..1
-  glm::vec3 ghostShift{0};         ///< m, from the cloth's place to the ghost's, where it is shown beside the cloth
+  std::span<const float> ghost{};     ///< x, y, z of a second cloth of the same sheet, m; any other count: none
+  const Sheet* ghostSheet = nullptr;  ///< with its springs
+  float ghostOpacity = 1;             ///< 0..1
+  glm::vec3 ghostShift{0};            ///< m, from the cloth's place to the ghost's, where it is shown beside the cloth
 };
 
 /// A panel lives from its first opening to the end of the program, and keeps its state while closed.

@@ -49,12 +49,14 @@ void ScenePictures::simulate(Entry& entry, double deadline, const Clock& clock) 
     entry.simulation.emplace(entry.scene, findMethod(entry.scene.integrator), Settings{.threads = 1});
     entry.xyz.resize(static_cast<std::size_t>(3 * entry.simulation->sheet().count()));
     entry.simulation->copyPositions(entry.xyz);
+    entry.sheet = entry.simulation->sheet();
   }
   Simulation& simulation = *entry.simulation;
   const double moment = tellingMoment(entry.scene);
   const auto keep = [&] {
     if (simulation.status() != Status::Ok) return;
     simulation.copyPositions(entry.xyz);
+    entry.sheet = simulation.sheet();
     entry.time = simulation.time();
   };
   simulation.observe([&] {
@@ -79,7 +81,7 @@ void ScenePictures::draw(Entry& entry, Background background) const {
   std::vector<glm::vec3> points(corners.begin(), corners.end());
   addBodyPoints(bodies, box, points);
   camera.frame(points, static_cast<float>(width_) / static_cast<float>(height_));
-  SheetRenderer renderer(makeSheet(entry.scene));
+  SheetRenderer renderer(entry.sheet);
   DrawOptions options;
   options.background = background;
   options.bodies = bodies;

@@ -31,6 +31,7 @@ class ScenePictures {
   struct Entry {
     Scene scene;
     std::vector<float> xyz;                   ///< m, the last good moment so far
+    Sheet sheet;                              ///< then, with what was cut
     double time = 0;                          ///< of it, s
     std::optional<Simulation> simulation;     ///< under way
     std::unique_ptr<PictureTexture> picture;  ///< null before it is made

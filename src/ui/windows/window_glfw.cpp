@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "ui/windows/window.h"
@@ -36,6 +37,9 @@ class Library {
 KeyCode keyCode(int key, int scancode) {
   if (key == GLFW_KEY_ESCAPE) return kEscapeKey;
   if (key == GLFW_KEY_TAB) return kTabKey;
+  if (key >= GLFW_KEY_F1 && key < GLFW_KEY_F1 + kFunctionKeys) {
+    return static_cast<KeyCode>(kFirstFunctionKey + key - GLFW_KEY_F1);
+  }
   if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) return kEnterKey;
   if (key == GLFW_KEY_SPACE || (key >= GLFW_KEY_0 && key <= GLFW_KEY_9)) return static_cast<KeyCode>(key);
   const char* name = key == GLFW_KEY_UNKNOWN ? nullptr : glfwGetKeyName(key, scancode);
@@ -75,6 +79,7 @@ class GlfwWindow final : public Window {
     }
     glfwSwapInterval(1);
     glfwSetWindowUserPointer(window_, this);
+    glfwGetCursorPos(window_, &cursor_.first, &cursor_.second);
     glfwSetKeyCallback(window_, onKey);
     glfwSetMouseButtonCallback(window_, onButton);
     glfwSetCursorPosCallback(window_, onMove);
@@ -137,13 +142,17 @@ class GlfwWindow final : public Window {
                                   .control = (modifiers & GLFW_MOD_CONTROL) != 0,
                                   .shift = (modifiers & GLFW_MOD_SHIFT) != 0});
   }
-  static void onButton(GLFWwindow* window, int button, int action, int) {
-    double x = 0, y = 0;
-    glfwGetCursorPos(window, &x, &y);
+  static void onButton(GLFWwindow* window, int button, int action, int modifiers) {
+    // Not glfwGetCursorPos, which tells where the cursor is now: a quick hand has dragged it on since.
+    const auto [x, y] = of(window).cursor_;
     const auto kind = action == GLFW_PRESS ? WindowEvent::Kind::Press : WindowEvent::Kind::Release;
-    of(window).events_.push_back(of(window).at(kind, buttonCode(button), x, y));
+    WindowEvent event = of(window).at(kind, buttonCode(button), x, y);
+    event.control = (modifiers & GLFW_MOD_CONTROL) != 0;
+    event.shift = (modifiers & GLFW_MOD_SHIFT) != 0;
+    of(window).events_.push_back(event);
   }
   static void onMove(GLFWwindow* window, double x, double y) {
+    of(window).cursor_ = {x, y};
     of(window).events_.push_back(of(window).at(WindowEvent::Kind::Move, 0, x, y));
   }
   static void onScroll(GLFWwindow* window, double, double notches) {
@@ -157,6 +166,7 @@ class GlfwWindow final : public Window {
   Library library_;
   GLFWwindow* window_;
   std::vector<WindowEvent> events_;
+  std::pair<double, double> cursor_;  ///< GLFW's units, as the events so far say
 };
 
 }  // namespace

@@ -164,6 +164,14 @@ class GlutWindow final : public Window {
       if (theWindow->overlay_) ImGui_ImplGLUT_KeyboardUpFunc(key, x, y);
       theWindow->key(WindowEvent::Kind::Release, key);
     });
+    glutSpecialFunc([](int key, int x, int y) {
+      if (theWindow->overlay_) ImGui_ImplGLUT_SpecialFunc(key, x, y);
+      theWindow->functionKey(WindowEvent::Kind::Press, key);
+    });
+    glutSpecialUpFunc([](int key, int x, int y) {
+      if (theWindow->overlay_) ImGui_ImplGLUT_SpecialUpFunc(key, x, y);
+      theWindow->functionKey(WindowEvent::Kind::Release, key);
+    });
     glutMouseFunc([](int button, int state, int x, int y) { theWindow->button(button, state, x, y); });
     glutMouseWheelFunc([](int wheel, int direction, int x, int y) {
       if (theWindow->overlay_) ImGui_ImplGLUT_MouseWheelFunc(wheel, direction, x, y);
@@ -183,7 +191,17 @@ class GlutWindow final : public Window {
     if (button < 0 || button > 2) return;
     const auto kind = state == GLUT_DOWN ? WindowEvent::Kind::Press : WindowEvent::Kind::Release;
     const KeyCode code = kButtons[static_cast<std::size_t>(button)];
-    events_.push_back({.kind = kind, .key = code, .x = double(x), .y = double(y)});
+    const int modifiers = glutGetModifiers();
+    events_.push_back({.kind = kind,
+                       .key = code,
+                       .x = double(x),
+                       .y = double(y),
+                       .control = (modifiers & GLUT_ACTIVE_CTRL) != 0,
+                       .shift = (modifiers & GLUT_ACTIVE_SHIFT) != 0});
+  }
+  void functionKey(WindowEvent::Kind kind, int key) {
+    if (key < GLUT_KEY_F1 || key >= GLUT_KEY_F1 + kFunctionKeys) return;
+    events_.push_back({.kind = kind, .key = static_cast<KeyCode>(kFirstFunctionKey + key - GLUT_KEY_F1)});
   }
   void key(WindowEvent::Kind kind, unsigned char character) {
     const int modifiers = glutGetModifiers();

@@ -1,0 +1,120 @@
+// A press is not yet a push: it is one as soon as the button comes up or has been down for a moment without moving, and
+// a grab as soon as the cursor has moved by a few pixels. So no grab begins with a push.
+#include "viewer/hand_tool.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "view/picking.h"
+#include "viewer/grab.h"
+#include "viewer/push.h"
+
+namespace tyg {
+namespace {
+
+constexpr float kStillPixels = 4;      // the cursor of a hand that means to hold still moves no farther
+constexpr double kStillSeconds = 0.2;  // of the clock, after which a still button pushes
+
+class HandTool final : public Tool {
+ public:
+  void press(const ToolScope& scope, glm::vec2 cursor) override {
+    const glm::vec2 window(scope.view.pixels().width, scope.view.pixels().height);
+    const Camera& camera = scope.view.camera();
+    const Sheet& sheet = scope.run.simulation().sheet();
+    const std::optional<int> hit = pickParticle(camera, cursor, window, sheet, scope.run.shown().positions());
+    const glm::dvec3 away = hit ? glm::dvec3(sightLine(camera, cursor, window).direction) : glm::dvec3(0, 0, 1);
+    const glm::dvec3 force = scope.record.strength * usualPush(sheet) * away;
+    onCloth_ = hit.has_value();
+    particle_ = hit ? *hit : particleAt(sheet, Place{.name = "middle"});
+    force_ = {force.x, force.y, force.z};
+    pressedAt_ = cursor;
+    pressedTime_ = scope.run.now();
+    isDown_ = waits_ = true;
+  }
+
+  void move(const ToolScope& scope, glm::vec2 cursor) override {
+    if (grab_.holds()) return grab_.move(cursor);
+    if (!isDown_ || !onCloth_ || glm::distance(cursor, pressedAt_) <= kStillPixels) return;
+    isDown_ = waits_ = false;
+    push_.release();
+    grab_.begin(scope, particle_, pressedAt_);
+    grab_.move(cursor);
+    scope.record.picked = particle_;
+    ++scope.record.uses;
+  }
+
+  void release(const ToolScope& scope) override {
+    if (waits_) push(scope);
+    letGo(scope);
+  }
+
+  void letGo(const ToolScope& scope) override {
+    isDown_ = waits_ = false;
+    push_.release();
+    grab_.release(scope);
+  }
+
+  bool scroll(const ToolScope& /*scope*/, float notches) override {
+    if (!grab_.holds()) return false;
+    grab_.pushAway(notches);
+    return true;
+  }
+
+  void frame(const ToolScope& scope) override {
+    if (waits_ && scope.run.now() - pressedTime_ >= kStillSeconds) push(scope);
+    grab_.frame(scope);
+  }
+
+  std::int64_t follow(Simulation& simulation, std::int64_t due) override {
+    return std::min(push_.follow(simulation), grab_.follow(simulation, due));
+  }
+
+  [[nodiscard]] bool actsAt(std::int64_t tick) const override { return push_.actsAt(tick) || grab_.holds(); }
+
+  void restart() override {
+    isDown_ = waits_ = false;
+    push_.restart();
+    grab_.forget();
+  }
+
+  [[nodiscard]] ToolDrawing drawing(const RunControl& run) const override {
+    return {.arrow = push_.arrow(run), .cut = {}};
+  }
+
+ private:
+  void push(const ToolScope& scope) {
+    waits_ = false;
+    if (scope.run.state() == RunState::Frozen || scope.run.seeking()) return;
+    push_.begin(scope.run, particle_, force_);
+    scope.record.picked = particle_;
+    ++scope.record.pushes, ++scope.record.uses;
+    if (std::ranges::binary_search(scope.run.simulation().sheet().pins, particle_)) {
+      scope.notes.say("That particle is pinned: no push moves it. A drag does.");
+    }
+  }
+
+  HeldPush push_;
+  Grab grab_;
+  bool isDown_ = false;  ///< and may become a grab
+  bool waits_ = false;   ///< and may become a push
+  bool onCloth_ = false;
+  int particle_ = 0;
+  Vec3 force_;              ///< N
+  glm::vec2 pressedAt_{0};  ///< pixels
+  double pressedTime_ = 0;  ///< s, of the clock
+};
+
+/// A pointing hand.
+constexpr std::array kIcon{glm::vec2(.38F, .62F), glm::vec2(.38F, .12F), glm::vec2(.44F, .05F), glm::vec2(.50F, .12F),
+                           glm::vec2(.50F, .46F), glm::vec2(.60F, .42F), glm::vec2(.64F, .50F), glm::vec2(.74F, .46F),
+                           glm::vec2(.78F, .54F), glm::vec2(.86F, .52F), glm::vec2(.90F, .60F), glm::vec2(.88F, .78F),
+                           glm::vec2(.80F, .96F), glm::vec2(.46F, .96F), glm::vec2(.16F, .64F), glm::vec2(.22F, .56F),
+                           glm::vec2(.38F, .70F), glm::vec2(.38F, .60F)};
+
+}  // namespace
+
+std::unique_ptr<Tool> makeHandTool() { return std::make_unique<HandTool>(); }
+std::span<const glm::vec2> handIcon() { return kIcon; }
+
+}  // namespace tyg
