@@ -205,8 +205,10 @@ double restLatticeLimit(const Scene& scene, const Method& method) {
   return smallerOf(latticeLimit(scene, method), heldLimit(scene, method));
 }
 
+bool catchesAir(const Scene& scene) { return scene.columns > 1 && scene.rows > 1 && cellDampingTerm(scene) != nullptr; }
+
 double certifiedLimit(const Scene& scene, const Method& method) {
-  if (method.stableStep == nullptr) return kNone;
+  if (method.stableStep == nullptr || catchesAir(scene)) return kNone;
   const Lattice lattice(scene);
   const bool isHeld = holdingTerm(scene).term != nullptr;
   const auto over = [&](const WaveFunction& function) { return lowestWave(lattice, function); };
