@@ -14,6 +14,9 @@ namespace tyg {
 /// without springs.
 double largestStiffness(const Scene& scene);
 
+/// Whether there are bodies that the cloth touches.
+bool touchesBodies(const Scene& scene);
+
 /// What is wrong with a body beside the other numbers of its scene.
 struct UnfitBody {
   std::size_t body = 0;  ///< its place in Scene::bodies
