@@ -7,6 +7,7 @@
 #include "scaled_scene.h"
 #include "study/limits/measured_limit.h"
 #include "study/limits/stability.h"
+#include "study/limits/stability_region.h"
 #include "study/limits/stability_study.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
@@ -133,6 +134,24 @@ TEST(ContactLimit, ACertifiedStepIsSafeInAnyMotionWithBodies) {
       EXPECT_EQ(statusOf(scene, method, 0.95 * certified, 1), Status::Ok) << method.name << " " << draw;
     }
   }
+}
+
+TEST(ContactLimit, TheRootsOfAParticleOnABodyLeaveTheRegionAtTheLimit) {
+  const Scene scene = softOnFloor(0.3, 0);
+  for (const char* name : {"leapfrog", "rk4", "imex", "rkc2"}) {
+    const Method& method = findMethod(name);
+    const double limit = method.stableStep != nullptr ? heldLimit(scene, method) : restLatticeLimit(scene, method);
+    const auto growing = [&](double h) {
+      const StabilityRegion region = regionOf(method, scene, h);
+      const std::vector<std::complex<double>> roots = heldRoots(scene);
+      return std::ranges::count_if(roots, [&](const auto& mu) { return !holdsAt(method, region, mu, h, true); });
+    };
+    EXPECT_EQ(growing(0.99 * limit), 0) << name;
+    if (method.stableStep != nullptr) {
+      EXPECT_EQ(growing(1.01 * limit), 2) << name;
+    }
+  }
+  EXPECT_TRUE(heldRoots(withoutBodies(scene)).empty());
 }
 
 TEST(ContactLimit, TheStagesOfChebyshevHoldContactUpToTheirLimit) {

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/spectrum/lattice.h"
 #include "tyg/method.h"
@@ -20,6 +21,8 @@ double restLatticeLimit(const Scene& scene, const Method& method);
 /// The largest stable step (s) of a single particle that contact holds: along the normal w2 = k/m and d = 2 zeta
 /// sqrt(k/m), along the surface d = grip/m. NaN where nothing holds particles, or the method has no limit of modes.
 double heldLimit(const Scene& scene, const Method& method);
+/// The modes of such a particle, along the normal and along the surface; none where nothing holds particles.
+std::vector<Mode> heldModes(const Scene& scene);
 /// The same as the first of the unbounded lattice, whatever the size of the sheet.
 double unboundedLimit(const Scene& scene, const Method& method);
 
