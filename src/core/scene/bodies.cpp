@@ -125,6 +125,11 @@ Scene withoutBodies(Scene scene) {
 
 double largestTolerance(const Scene& scene) { return touchesBodies(scene) ? scene.contact.layer / 1000 : kInfinity; }
 
+std::string largestToleranceInWords(const Scene& scene) {
+  return fmt::format("up to a thousandth of the layer of contact, {:g} m: coarser steps would miss it",
+                     largestTolerance(scene));
+}
+
 /// The smaller root of a h^2 + v h = r / 2, without the cancellation where a is small.
 double stepThatMeetsBodies(const Scene& scene, double speed, double acceleration) {
   if (!touchesBodies(scene)) return kInfinity;
