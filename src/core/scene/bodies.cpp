@@ -125,6 +125,8 @@ Scene withoutBodies(Scene scene) {
 
 double largestTolerance(const Scene& scene) { return touchesBodies(scene) ? scene.contact.layer / 1000 : kInfinity; }
 
+double usedTolerance(const Scene& scene) { return std::min(scene.tolerance, largestTolerance(scene)); }
+
 std::string largestToleranceInWords(const Scene& scene) {
   return fmt::format("up to a thousandth of the layer of contact, {:g} m: coarser steps would miss it",
                      largestTolerance(scene));
