@@ -68,6 +68,8 @@ Sheet makeSheet(const Scene& scene);
 std::span<const std::string_view> particleNames();
 /// Whether a word names a particle or a set of them.
 bool isPlaceName(std::string_view word);
+/// The names of single particles and of sets.
+std::span<const std::string_view> placeNames();
 /// The index of the one particle that `place` names. Throws InputError for an unknown name, a set, or a place outside.
 int particleAt(const Sheet& sheet, const Place& place);
 /// The indices that `place` names: one particle, or a set (`top`, `left`, `corners`). Throws InputError.

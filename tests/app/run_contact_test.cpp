@@ -48,10 +48,13 @@ TEST(RunOnBodies, OfBodiesTellsTheirEnergyTheirWorkAndStepsThatAreTooLong) {
   const std::string scene = fallsOnABall(folder);
   const std::string text = tyg("run " + scene + " --json").out;
   EXPECT_TRUE(isFlatJson(text)) << text;
-  for (const char* key : {"work_of_bodies_J", "largest_speed", "layers_per_step"}) {
+  for (const char* key : {"work_of_bodies_J", "largest_speed_m_per_s", "layers_per_step"}) {
     EXPECT_GT(std::abs(std::stod(jsonValue(text, key))), 0) << key;
   }
   EXPECT_GE(std::stod(jsonValue(text, "contact_J")), 0);
+  EXPECT_EQ(jsonValue(tyg("run " + scene + " --json --integrator bs32").out, "layers_per_step"), "null");
+  EXPECT_FALSE(holds(text, "work_of_wind_J"));
+  EXPECT_TRUE(holds(tyg("run flag --duration 0.1 --json").out, "\"work_of_wind_J\""));
   EXPECT_TRUE(holds(tyg("run " + scene).out, "work of bodies"));
   EXPECT_TRUE(holds(tyg("run " + scene).out, "of the layer of contact"));
   EXPECT_FALSE(holds(tyg("run " + scene + " --dt 0.0001").out, "of the layer of contact"));
@@ -67,12 +70,22 @@ TEST(RunOnBodies, VerboseSaysBodiesAndTheirMotionsInWords) {
   EXPECT_FALSE(holds(tyg("run curtain --verbose --duration 0.1").err, "contact"));
 }
 
+TEST(RunOnBodies, VerboseNamesPinsThatMoveAndNeitherAShapeTwiceNorAWindInStillAir) {
+  const std::string table = tyg("run tablecloth --verbose --duration 0.01").err;
+  EXPECT_TRUE(holds(table, "move 1: [35, 9], [35, 18] with (-0.2, -0.35, 0) m/s")) << table;
+  EXPECT_TRUE(holds(table, "air density 1.2")) << table;
+  EXPECT_FALSE(holds(table, "wind (0")) << table;
+  EXPECT_FALSE(holds(table, "gust")) << table;
+  EXPECT_FALSE(holds(table, "box box")) << table;
+}
+
 TEST(RunOnBodies, RefusesWhatBodiesDoNotAllow) {
   const Folder folder;
   const std::string scene = fallsOnABall(folder);
   const Outcome tolerance = tyg("run " + scene + " --integrator dopri54 --tolerance 1mm");
   EXPECT_EQ(tolerance.code, 2);
-  EXPECT_TRUE(holds(tolerance.err, "--tolerance: found 0.001 m, allowed is up to a thousandth of the layer"));
+  EXPECT_TRUE(holds(tolerance.err, "--tolerance: found 0.001 m, the tolerance for dopri54, allowed is up to a"));
+  EXPECT_EQ(tyg("run " + scene + " --integrator rk4 --tolerance 1mm --duration 0.1").code, 0) << "it is not used";
   for (const char* command : {"run ", "diet ", "stability ", "chart "}) {
     const Outcome coarse = tyg(command + scene + " --sheet 2x2");
     EXPECT_EQ(coarse.code, 2) << command;

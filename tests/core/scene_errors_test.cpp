@@ -177,7 +177,7 @@ TEST(SceneErrors, NameValuesOfAWrongType) {
       {20, "by = [0, 0, '1']", 20, "displace.by", R"([0, 0, "1"])", kVector},
       {22, "particle = [1, 2, 3]", 22, "push.particle", "[1, 2, 3]", kPlace},
       {24, "at = 07:32:00", 24, "push.at", "07:32:00", kNotNegative},
-      {26, "[[run]]", 26, "run", "[a table]", "a table"},
+      {26, "[[run]]", 26, "run", "a list of tables, [[run]]", "one table, [run]"},
       {29, "dt = { s = 1 }", 29, "run.dt", "a table", kPositive},
   });
 }

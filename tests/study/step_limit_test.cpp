@@ -168,6 +168,42 @@ TEST(CertifiedLimit, IsNothingForExplicitEulerAndUnknownForMethodsOfTheWholeSpec
   EXPECT_TRUE(std::isnan(certifiedLimit(freeFall(), findMethod("rk4"))));
 }
 
+/// Light and soft: a wind stretches its cells to many times their area.
+Scene softInWind() {
+  Scene scene = emptyWorld(6, 5);
+  scene.spacing = 0.1, scene.particleMass = 0.00002;
+  scene.start = Start::Flat;
+  scene.pins = {{"top-left"}, {"top-right"}};
+  scene.gravity = {0, -9.81, 0};
+  scene.structural.ks = 0.7, scene.shear.ks = 0.5;
+  scene.air = {.density = 1.2};
+  scene.winds = {{.velocity = {0, 10, 0}}};
+  scene.duration = 1;
+  scene.tolerance = 0;
+  return scene;
+}
+
+TEST(CertifiedLimit, DoesNotExistWhereAirActsOnCells) {
+  const Scene scene = softInWind();
+  for (const Method& method : methods()) EXPECT_TRUE(std::isnan(certifiedLimit(scene, method))) << method.name;
+  const Method& rk4 = findMethod("rk4");
+  Scene vacuum = scene;
+  vacuum.air = {}, vacuum.winds.clear();
+  Scene stretched = scene;
+  stretched.dt = 0.0003;
+  EXPECT_GT(certifiedLimit(vacuum, rk4), stretched.dt);
+  Simulation simulation(stretched, rk4);
+  simulation.advanceTo(scene.duration);
+  EXPECT_NE(simulation.status(), Status::Ok) << "the wind stretches no cell, so that this scene shows nothing";
+}
+
+TEST(CertifiedLimit, ExistsForAChainInAirWhichHasNoCells) {
+  Scene scene = softInWind();
+  scene.columns = 1;
+  scene.pins = {{"top-left"}};
+  EXPECT_GT(certifiedLimit(scene, findMethod("rk4")), 0);
+}
+
 TEST(FirstMode, OfTheCurtainIsStripesInThePlaneSetByStiffness) {
   const Scene scene = loadScene("curtain");
   const std::string words = describe(scene, stepLimit(scene, findMethod("rk4")));

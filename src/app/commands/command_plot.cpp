@@ -12,6 +12,7 @@
 #include "app/output/drawn_files.h"
 #include "app/output/exit_code.h"
 #include "app/output/progress.h"
+#include "core/scene/bodies.h"
 #include "study/charts/trajectory_chart.h"
 #include "study/motion/trajectories.h"
 #include "tyg/methods.h"
@@ -63,8 +64,9 @@ TrajectoryStudy followed(const Scene& scene, const PlotOptions& options) {
 void sayWhatFailed(const TrajectoryStudy& study) {
   for (const Trajectory& run : study.runs) {
     if (run.status == Status::Ok) continue;
-    const std::string setting = run.method->adaptive ? fmt::format("a tolerance of {:.4g} m", study.scene.tolerance)
-                                                     : fmt::format("a step of {:.4g} s", study.scene.dt);
+    const std::string setting = run.method->adaptive
+                                    ? fmt::format("a tolerance of {:.4g} m", usedTolerance(study.scene))
+                                    : fmt::format("a step of {:.4g} s", study.scene.dt);
     std::cerr << fmt::format("tyg plot: {} with {} was {} at t = {:g} s; its curve ends there", run.method->name,
                              setting, nameOf(run.status), run.failedAt)
               << std::endl;

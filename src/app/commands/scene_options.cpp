@@ -28,14 +28,11 @@ void refuseOtherSides(const Scene& scene, const Grid& grid) {
   if (hasSides && !keepsSides(scene, grid)) throw InputError("--sheet: " + otherSides(scene, grid, kLargestCount));
 }
 
-/// Of the command line; the files' are refused where they are read.
+/// A method of fixed steps does not use it.
 void refuseCoarseTolerance(const Scene& scene) {
-  const double most = largestTolerance(scene);
-  if (!(scene.tolerance > most)) return;
-  throw InputError(fmt::format(
-      "--tolerance: found {:g} m, allowed is up to a thousandth of the layer of contact, {:g} m: coarser steps would "
-      "miss it",
-      scene.tolerance, most));
+  if (!(scene.tolerance > largestTolerance(scene)) || !findMethod(scene.integrator).adaptive) return;
+  throw InputError(fmt::format("--tolerance: found {:g} m, the tolerance for {}, allowed is {}", scene.tolerance,
+                               scene.integrator, largestToleranceInWords(scene)));
 }
 
 void addNumbers(Command& command, SceneOptions& options) {

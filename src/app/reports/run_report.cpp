@@ -61,7 +61,8 @@ std::string bodiesText(const Scene& scene) {
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const Body& body = scene.bodies[k];
     text += fmt::format("body {}: {}{} at {} m", k + 1, nameOf(body.shape),
-                        body.name.empty() ? "" : " " + oneLine(body.name), vectorText(body.at));
+                        body.name.empty() || body.name == nameOf(body.shape) ? "" : " " + oneLine(body.name),
+                        vectorText(body.at));
     if (body.shape == Shape::Plane) text += ", normal " + vectorText(body.normal);
     if (body.shape == Shape::Capsule) text += ", axis " + vectorText(body.axis) + " m";
     if (body.shape == Shape::Box) text += ", half " + vectorText(body.half) + " m, rounding";
@@ -72,6 +73,10 @@ std::string bodiesText(const Scene& scene) {
   return text;
 }
 
+std::string placeText(const Place& place) {
+  return place.name.empty() ? fmt::format("[{}, {}]", place.column, place.row) : place.name;
+}
+
 /// Winds, motions, cuts and tears, where there are any; the first wind is among the parameters.
 std::string actionsText(const Scene& scene) {
   std::string text;
@@ -79,8 +84,8 @@ std::string actionsText(const Scene& scene) {
   for (std::size_t k = 0; k < scene.moves.size(); ++k) {
     const Move& move = scene.moves[k];
     text += fmt::format("move {}: {}{} m/s from {:.6g} s to {:.6g} s\n", k + 1,
-                        move.body.empty() ? "" : oneLine(move.body) + " with ", vectorText(move.velocity), move.at,
-                        move.at + move.duration);
+                        (move.body.empty() ? joined(move.what, placeText) : oneLine(move.body)) + " with ",
+                        vectorText(move.velocity), move.at, move.at + move.duration);
   }
   for (std::size_t k = 0; k < scene.cuts.size(); ++k) {
     const auto& [line, at] = scene.cuts[k];
@@ -184,9 +189,13 @@ std::string runJson(const FinishedRun& run) {
   });
   for (const auto& [name, joules] : run.ledger.stored) json.update({{fmt::format("{}_J", name), joules}});
   json.update({{"work_J", run.ledger.work.sum()}});
-  if (run.ledger.work.has("bodies")) json.update({{"work_of_bodies_J", run.ledger.work["bodies"]}});
+  for (const auto& [name, joules] : run.ledger.work) {
+    if (name != "pushes") json.update({{fmt::format("work_of_{}_J", name), joules}});
+  }
   if (!scene.bodies.empty()) {
-    json.update({{"largest_speed", simulation.largestSpeed()}, {"layers_per_step", layersPerStep(simulation)}});
+    const bool choosesSteps = simulation.method().adaptive && scene.tolerance > 0;
+    json.update({{"largest_speed_m_per_s", simulation.largestSpeed()},
+                 {"layers_per_step", choosesSteps ? kUnknown : layersPerStep(simulation)}});
   }
   json.update({
       {"dissipated_J", run.followsLoss ? run.ledger.dissipated : kUnknown},
@@ -231,6 +240,7 @@ std::string runPlan(const Simulation& simulation) {
     if (term->family || (isContact && !hasTerm(scene, *term))) continue;
     for (const Parameter& parameter : term->parameters) {
       if (!parameter.decidesPresence && !hasTerm(scene, *term)) continue;
+      if (parameter.ofList && parameter.get(scene) == Vec3{}) continue;  // still air has no wind, a wind need not gust
       if (isContact && (parameter.ofList || (parameter.acts != nullptr && !parameter.acts(scene)))) continue;
       text += fmt::format(", {} {}", parameter.label, valueText(parameter, scene));
       if (parameter.unit != "1") text += fmt::format(" {}", parameter.unit);

@@ -29,8 +29,6 @@ double smallestRadius(const Scene& scene) {
   return smallest;
 }
 
-bool touches(const Scene& scene) { return hasTerm(scene, ContactTerm::kTerm); }
-
 }  // namespace
 
 double largestStiffness(const Scene& scene) {
@@ -78,8 +76,10 @@ std::optional<UnfitBody> unfitBody(const Scene& scene) {
   return {};
 }
 
+bool touchesBodies(const Scene& scene) { return hasTerm(scene, ContactTerm::kTerm) && !scene.bodies.empty(); }
+
 void refuseUnfitBodies(const Scene& scene) {
-  if (!touches(scene)) return;
+  if (!touchesBodies(scene)) return;
   const std::string name = scene.name.empty() ? "" : scene.name + ": ";
   if (const auto unfit = unfitBody(scene)) {
     throw InputError(fmt::format("{}body {}, key {}: found {}, allowed {}", name, unfit->body + 1, unfit->key,
@@ -91,7 +91,7 @@ void refuseUnfitBodies(const Scene& scene) {
   }
 }
 
-bool fitsBodies(const Scene& scene) { return !touches(scene) || !unfitBody(scene); }
+bool fitsBodies(const Scene& scene) { return !touchesBodies(scene) || !unfitBody(scene); }
 
 std::string_view nameOf(Shape shape) {
   constexpr std::array<std::string_view, 4> kNames{"plane", "ball", "capsule", "box"};
@@ -123,11 +123,18 @@ Scene withoutBodies(Scene scene) {
   return scene;
 }
 
-double largestTolerance(const Scene& scene) { return touches(scene) ? scene.contact.layer / 1000 : kInfinity; }
+double largestTolerance(const Scene& scene) { return touchesBodies(scene) ? scene.contact.layer / 1000 : kInfinity; }
+
+double usedTolerance(const Scene& scene) { return std::min(scene.tolerance, largestTolerance(scene)); }
+
+std::string largestToleranceInWords(const Scene& scene) {
+  return fmt::format("up to a thousandth of the layer of contact, {:g} m: coarser steps would miss it",
+                     largestTolerance(scene));
+}
 
 /// The smaller root of a h^2 + v h = r / 2, without the cancellation where a is small.
 double stepThatMeetsBodies(const Scene& scene, double speed, double acceleration) {
-  if (!touches(scene)) return kInfinity;
+  if (!touchesBodies(scene)) return kInfinity;
   const double way = smallestRadius(scene) / 2;
   if (!std::isfinite(way)) return kInfinity;
   const double root = speed + std::sqrt(speed * speed + 4 * acceleration * way);

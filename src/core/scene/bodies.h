@@ -14,6 +14,9 @@ namespace tyg {
 /// without springs.
 double largestStiffness(const Scene& scene);
 
+/// Whether there are bodies that the cloth touches.
+bool touchesBodies(const Scene& scene);
+
 /// What is wrong with a body beside the other numbers of its scene.
 struct UnfitBody {
   std::size_t body = 0;  ///< its place in Scene::bodies
@@ -41,6 +44,10 @@ Scene withoutBodies(Scene scene);
 /// The largest tolerance (m) at which a method that chooses its own steps meets bodies as they are; infinite where
 /// nothing is touched.
 double largestTolerance(const Scene& scene);
+/// The tolerance (m) that such a method keeps: the scene's, as far as the bodies allow it.
+double usedTolerance(const Scene& scene);
+/// The largest one in words, for what is allowed.
+std::string largestToleranceInWords(const Scene& scene);
 /// The step (s) that a method of its own choice may take at this speed (m/s) and acceleration (m/s2) without leaping
 /// over a body: half of the smallest radius is all that a particle may move. Infinite where nothing is touched.
 double stepThatMeetsBodies(const Scene& scene, double speed, double acceleration);

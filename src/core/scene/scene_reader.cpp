@@ -243,14 +243,8 @@ void readRun(SceneTable table, Scene& scene, std::span<const std::string_view> m
     scene.integrator = methods[*method];
   }
   table.number("dt", scene.dt, Allowed::Positive);
-  const double mostTolerance = largestTolerance(scene);
-  scene.tolerance = std::min(scene.tolerance, mostTolerance);
+  scene.tolerance = std::min(scene.tolerance, largestTolerance(scene));
   table.number("tolerance", scene.tolerance, Allowed::Positive);
-  if (scene.tolerance > mostTolerance) {
-    table.refuse(
-        "tolerance", fmt::format("{:g} m", scene.tolerance),
-        fmt::format("up to a thousandth of the layer of contact, {:g} m: coarser steps would miss it", mostTolerance));
-  }
   table.choice("precision", scene.precision, {"float", "double"});
   table.finish({"duration", "integrator", "dt"});
   if (scene.duration / scene.dt > kMostSteps) {

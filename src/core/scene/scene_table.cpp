@@ -167,12 +167,32 @@ void SceneTable::particleSets(std::string_view key, const Sheet& sheet, std::vec
   }
 }
 
-void SceneTable::particleSetOrSets(std::string_view key, const Sheet& sheet, std::vector<Place>& out) {
+void SceneTable::particleSetOrSets(std::string_view key, const Sheet& sheet, std::span<const std::string_view> others,
+                                   std::vector<Place>& out) {
   const toml::node* value = ask(key, kPlaces);
   if (value == nullptr) return;
+  const auto take = [&](const toml::node& element, bool inList) {
+    refuseOtherName(element, others, inList);
+    out.push_back(knownPlace(element, sheet));
+  };
   const toml::array* array = value->as_array();
-  if (array == nullptr || array->is_homogeneous<std::int64_t>()) return out.push_back(knownPlace(*value, sheet));
-  for (const toml::node& element : *array) out.push_back(knownPlace(element, sheet));
+  if (array != nullptr && array->empty()) refuseLine(*value, "found [], allowed one particle or set at least");
+  if (array == nullptr || array->is_homogeneous<std::int64_t>()) return take(*value, false);
+  for (const toml::node& element : *array) take(element, true);
+}
+
+void SceneTable::refuseOtherName(const toml::node& value, std::span<const std::string_view> others, bool inList) const {
+  if (!value.is_string() || others.empty()) return;
+  const std::string& word = value.ref<std::string>();
+  if (isPlaceName(word)) return;
+  if (inList && std::ranges::find(others, word) != others.end()) {
+    refuseLine(value, fmt::format("found \"{0}\" in a list, allowed \"{0}\" by itself: a body stands alone", word));
+  }
+  const std::span<const std::string_view> places = placeNames();
+  std::vector<std::string_view> names(places.begin(), places.end());
+  if (!inList) names.insert(names.end(), others.begin(), others.end());
+  refuseLine(value, fmt::format("found {}, allowed {}, [column, row]{}", shortened(textOf(value)), quoted(names),
+                                didYouMean(word, names)));
 }
 
 std::optional<std::string> SceneTable::wordAt(std::string_view key) const {
@@ -193,6 +213,9 @@ Place SceneTable::knownPlace(const toml::node& value, const Sheet& sheet) const 
 std::optional<SceneTable> SceneTable::table(std::string_view key) {
   const toml::node* value = ask(key, "a table");
   if (value == nullptr) return std::nullopt;
+  if (value->is_array_of_tables()) {
+    refuseLine(*value, fmt::format("found a list of tables, [[{0}{1}]], allowed one table, [{0}{1}]", prefix_, key));
+  }
   return inner(key, *value);
 }
 

@@ -46,7 +46,12 @@ class SceneTable {
                           std::string Named::*nameOf, std::vector<Place>& out, std::string& name) {
     const std::optional<std::string> word = wordAt(key);
     const bool isName = word && !word->empty() && std::ranges::find(named, *word, nameOf) != named.end();
-    isName ? text(key, name) : particleSetOrSets(key, sheet, out);
+    if (isName) return text(key, name);
+    std::vector<std::string_view> names;
+    for (const Named& each : named) {
+      if (!(each.*nameOf).empty()) names.push_back(each.*nameOf);
+    }
+    particleSetOrSets(key, sheet, names, out);
   }
   std::optional<SceneTable> table(std::string_view key);
   std::vector<SceneTable> tables(std::string_view key);
@@ -58,7 +63,11 @@ class SceneTable {
   [[noreturn]] void refuse(std::string_view key, const std::string& found, const std::string& allowed) const;
 
  private:
-  void particleSetOrSets(std::string_view key, const Sheet& sheet, std::vector<Place>& out);
+  /// `others` are the names that may stand here alone.
+  void particleSetOrSets(std::string_view key, const Sheet& sheet, std::span<const std::string_view> others,
+                         std::vector<Place>& out);
+  /// Where a text is no name of particles.
+  void refuseOtherName(const toml::node& value, std::span<const std::string_view> others, bool inList) const;
   /// The text there, if that is what it is.
   [[nodiscard]] std::optional<std::string> wordAt(std::string_view key) const;
   struct Asked {

@@ -121,6 +121,8 @@ Sheet makeSheet(const Scene& scene) {
 
 bool isPlaceName(std::string_view word) { return std::ranges::find(kNames, word) != kNames.end(); }
 
+std::span<const std::string_view> placeNames() { return kNames; }
+
 std::span<const std::string_view> particleNames() { return std::span(kNames).first(kSingles); }
 
 int particleAt(const Sheet& sheet, const Place& place) {

@@ -126,9 +126,7 @@ void Simulation::useMethod(const Method& method) {
   impl_->apply(MethodEvent{std::string(method.name)}, std::span(&method, 1));
 }
 void Simulation::useStep(double dt) { impl_->apply(StepEvent{dt}, {}); }
-void Simulation::useLiveParameters(const Scene& scene) {
-  for (const WorldEvent& change : changesBetween(impl_->scene, scene)) impl_->apply(change, {});
-}
+void Simulation::useLiveParameters(const Scene& scene) { impl_->useLiveParameters(scene); }
 void Simulation::pin(int particle, bool pinned) { impl_->apply(PinEvent{particle, pinned}, {}); }
 void Simulation::grab(int particle, const Vec3& velocity) { impl_->apply(GrabEvent{particle, velocity}, {}); }
 void Simulation::release(int particle) { impl_->apply(ReleaseEvent{particle}, {}); }

@@ -7,6 +7,7 @@
 #include "core/forces/parameter.h"
 #include "core/scene/bodies.h"
 #include "core/scene/scene_range.h"
+#include "core/simulation/live_parameters.h"
 #include "core/simulation/simulation_impl.h"
 #include "util/text.h"
 
@@ -15,6 +16,15 @@ namespace tyg {
 void Simulation::Impl::apply(const EventAction& action, std::span<const Method> methods) {
   std::visit([&](const auto& event) { perform(event, methods); }, action);  // first: it may refuse
   run.log.events.push_back({run.clock.ticks(), action});
+}
+
+/// Another tolerance is at most what bodies allow. A change may bring about another one that comes later: without a
+/// wind there are no gusts.
+void Simulation::Impl::useLiveParameters(Scene wanted) {
+  if (wanted.tolerance != scene.tolerance) wanted.tolerance = std::min(wanted.tolerance, largestTolerance(wanted));
+  for (const WorldEvent& change : changesBetween(scene, wanted)) {
+    if (findParameter(change.parameter)->get(scene) != change.value) apply(change, {});
+  }
 }
 
 void Simulation::Impl::applyDueEvents() {
@@ -43,6 +53,22 @@ void Simulation::Impl::perform(const StepEvent& change, std::span<const Method> 
   run.ticksSince = run.clock.time();
 }
 
+void Simulation::Impl::refuseWithoutEffect(const Parameter& parameter, const Vec3& value) const {
+  const auto exists = [&](const Parameter& each) { return each.exists == nullptr || each.exists(scene); };
+  if (!exists(parameter)) {
+    std::vector<std::string_view> known;
+    for (const Parameter& each : liveParameters()) {
+      if (exists(each)) known.push_back(each.key);
+    }
+    throw InputError(fmt::format("world: found the parameter '{}', which this scene has nothing for, allowed: {}",
+                                 parameter.key, joined(known)));
+  }
+  if (parameter.key == "run.tolerance" && value.x > largestTolerance(scene)) {
+    throw InputError(
+        fmt::format("world: found a tolerance of {:g} m, allowed: {}", value.x, largestToleranceInWords(scene)));
+  }
+}
+
 /// What has no natural zero counts from the start shape, and the alarm learns anew what a large energy is: the energy
 /// that the change itself adds is not an error of the method, and counts as work.
 void Simulation::Impl::perform(const WorldEvent& change, std::span<const Method> /*methods*/) {
@@ -51,6 +77,7 @@ void Simulation::Impl::perform(const WorldEvent& change, std::span<const Method>
     throw InputError(fmt::format("world: found the parameter '{}', allowed: {}", change.parameter,
                                  joined(liveParameters(), &Parameter::key)));
   }
+  refuseWithoutEffect(*parameter, change.value);
   const Vec3 before = parameter->get(scene);
   const double mechanical = run.energies.mechanical(backend->energy(run.clock.time()));
   checkSupply();

@@ -63,6 +63,10 @@ struct Simulation::Impl {
   // simulation_events.cpp
   /// Lets it happen now, and adds it to the log. `methods` is where the name of a method is looked up.
   void apply(const EventAction& action, std::span<const Method> methods);
+  /// Throws InputError where the scene has nothing that a parameter is of, or where bodies do not allow the value.
+  void refuseWithoutEffect(const Parameter& parameter, const Vec3& value) const;
+  /// Makes the live parameters those of another scene.
+  void useLiveParameters(Scene wanted);
   /// Lets pushes, winds and moving pins act on the backend anew.
   void applyPushes();
   void applyTimetable();

@@ -146,11 +146,12 @@ double Simulation::Impl::longestFreeStep() const {
 }
 
 /// Steps of the method's own choice. Where these become so short that the run would not end, the tolerance is below
-/// what rounding leaves of the numbers: the run advances no further.
+/// what rounding leaves of the numbers: the run advances no further. A scene for fixed steps may name any tolerance.
 void Simulation::Impl::advanceFreely(double stop) {
+  const double tolerance = usedTolerance(scene);
   while (!halted() && run.clock.time() < stop) {
     const double most = stop - run.clock.time();
-    const double taken = backend->stepWithin(run.clock.time(), std::min(most, longestFreeStep()), scene.tolerance);
+    const double taken = backend->stepWithin(run.clock.time(), std::min(most, longestFreeStep()), tolerance);
     finishSteps(taken, 1, taken == most ? stop : run.clock.time() + taken);
     if (most > kMostSteps * taken) run.energies.giveUp(run.clock.time());
   }

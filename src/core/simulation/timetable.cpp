@@ -19,21 +19,22 @@ void addEdges(const std::vector<Timed>& all, std::vector<double>& edges) {
   }
 }
 
-}  // namespace
-
-Timetable::Timetable(const Scene& scene) {
-  addEdges(scene.winds, edges_);
-  addEdges(scene.moves, edges_);
-  for (const Cut& cut : scene.cuts) edges_.push_back(cut.at);
-  std::ranges::sort(edges_);
-}
-
-std::vector<double> edgesWithin(const Scene& scene) {
+/// Of everything but pushes, which count in ticks where a person makes them.
+std::vector<double> edgesBesidesPushes(const Scene& scene) {
   std::vector<double> edges;
-  addEdges(scene.pushes, edges);
   addEdges(scene.winds, edges);
   addEdges(scene.moves, edges);
   for (const Cut& cut : scene.cuts) edges.push_back(cut.at);
+  return edges;
+}
+
+}  // namespace
+
+Timetable::Timetable(const Scene& scene) : edges_(edgesBesidesPushes(scene)) { std::ranges::sort(edges_); }
+
+std::vector<double> edgesWithin(const Scene& scene) {
+  std::vector<double> edges = edgesBesidesPushes(scene);
+  addEdges(scene.pushes, edges);
   std::erase_if(edges, [&](double edge) { return !(edge > 0 && edge < scene.duration); });
   std::ranges::sort(edges);
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());

@@ -3,15 +3,13 @@
 
 #include <algorithm>
 
+#include "gfx/passes/sink.h"
 #include "view/body_shapes.h"
 
 namespace tyg {
 namespace {
 
 constexpr int kPerQuarter = 16;  // a ball as high as the picture then has corners of less than a pixel
-/// How much deeper than its surface a body hides lines: particles sink into it a little, and the lines between them
-/// cut across what is round; m per spacing, and pixels at a slant.
-constexpr float kSink = 0.12F, kSlantedSink = 2;
 
 }  // namespace
 

@@ -4,15 +4,13 @@
 
 #include <algorithm>
 
+#include "gfx/passes/sink.h"
 #include "view/body_shapes.h"
 #include "view/round_step.h"
 
 namespace tyg {
 namespace {
 
-/// How much lower than it is a plane is drawn, so that it does not hide the lines of a cloth that lies on it: m per
-/// spacing, and pixels at a slant.
-constexpr float kSink = 0.12F, kSlantedSink = 2;
 constexpr float kFaint = 0.3F;  // from inside
 
 glm::vec3 vec(const Vec3& v) { return {float(v.x), float(v.y), float(v.z)}; }

@@ -72,7 +72,9 @@ void addLimitData(const Layout& layout, ChartScript& script) {
   }
 }
 
-using Roots = std::vector<std::complex<double>>;
+struct Roots {
+  std::vector<std::complex<double>> ofSheet, held;  // held: of a particle on a body
+};
 
 /// A panel's part of the plane of z = h mu.
 struct Extent {
@@ -88,9 +90,11 @@ Extent extentOf(const StabilityRegion& region, const Roots& roots, double h) {
   }
   if (std::isfinite(region.onRealAxis)) extent.left = std::max(extent.left, region.onRealAxis);
   double left = 0, top = 0;
-  for (const std::complex<double>& mu : roots) {
-    left = std::max(left, -h * mu.real());
-    top = std::max(top, h * std::abs(mu.imag()));
+  for (const auto* some : {&roots.ofSheet, &roots.held}) {
+    for (const std::complex<double>& mu : *some) {
+      left = std::max(left, -h * mu.real());
+      top = std::max(top, h * std::abs(mu.imag()));
+    }
   }
   constexpr double kMost = 4, kMargin = 1.12;
   const auto fitted = [](double ofRegion, double farthest) {
@@ -120,18 +124,20 @@ RegionPanel addRegionData(std::size_t k, const Method& method, const Scene& scen
   std::size_t unstable = 0;
   bool anyBeyond = false;
   std::string inside, outside;
-  for (const std::complex<double>& mu : roots) {
+  const auto add = [&](const std::complex<double>& mu, bool held) {
     const std::complex<double> z = h * mu;
-    const bool holds = holdsAt(method, region, mu, h);
+    const bool holds = holdsAt(method, region, mu, h, held);
     if (!holds) ++unstable;
     anyBeyond = anyBeyond || -z.real() > extent.left || std::abs(z.imag()) > extent.top;
     (holds ? inside : outside) += fmt::format("{:g} {:g}\n", z.real(), z.imag());
-  }
+  };
+  for (const std::complex<double>& mu : roots.ofSheet) add(mu, false);
+  for (const std::complex<double>& mu : roots.held) add(mu, true);
+  const std::size_t count = roots.ofSheet.size() + roots.held.size();
   script.add("$inside{} << END\n{}END\n$outside{} << END\n{}END\n", k, inside, k, outside);
   std::string verdict = region.stages.count > 0 ? fmt::format("{} stages; ", region.stages.count) : "";
-  verdict += unstable == 0
-                 ? "all modes hold"
-                 : fmt::format("{} % grow (crosses)", std::max<std::size_t>(1, 100 * unstable / roots.size()));
+  verdict += unstable == 0 ? "all modes hold"
+                           : fmt::format("{} % grow (crosses)", std::max<std::size_t>(1, 100 * unstable / count));
   if (anyBeyond) verdict += "; some lie beyond";
   return {&method, extent, region.onRealAxis, verdict};
 }
@@ -216,7 +222,7 @@ std::string stabilityScript(const StabilityStudy& study) {
   script.add("# Draws stability.svg and stability.png:  gnuplot stability.gp\n");
   script.namePictures("stability");
   addLimitData(layout, script);
-  const Roots roots = sceneRoots(scene);
+  const Roots roots{sceneRoots(scene), heldRoots(scene)};
   std::vector<RegionPanel> panels;
   for (std::size_t k = 0; k < layout.panels.size(); ++k) {
     panels.push_back(addRegionData(k, *layout.panels[k], scene, roots, script));
@@ -227,9 +233,9 @@ std::string stabilityScript(const StabilityStudy& study) {
   layout.rows.empty() ? addNoLimits(script) : addLimits(layout, scene.dt, script);
   const double topOfPanels = layout.bottomOfRows + kBelowRows;
   if (!panels.empty()) {
-    script.label(
-        fmt::format("Stable regions (shaded) and the scene's own modes: z = h mu at h = {:g} ms", 1e3 * scene.dt),
-        {60, topOfPanels - 62}, {.colour = kInk, .scale = 1.15});
+    script.label(fmt::format("Stable regions (shaded) and the scene's own modes{}: z = h mu at h = {:g} ms",
+                             roots.held.empty() ? "" : ", those of a particle on a body too", 1e3 * scene.dt),
+                 {60, topOfPanels - 62}, {.colour = kInk, .scale = 1.15});
   }
   for (std::size_t k = 0; k < panels.size(); ++k) addRegion(k, panels[k], topOfPanels, script);
   script.endPictures();

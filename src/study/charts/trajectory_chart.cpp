@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/scene/bodies.h"
 #include "study/charts/chart_script.h"
 #include "study/charts/gnuplot.h"
 
@@ -168,7 +169,7 @@ std::string subtitleOf(const Layout& layout) {
   std::string text = fmt::format("{} x {} particles, steps of {:g} s", scene.columns, scene.rows, scene.dt);
   const auto isAdaptive = [](const Trajectory& run) { return run.method->adaptive; };
   if (std::ranges::any_of(layout.study.runs, isAdaptive)) {
-    text += fmt::format(" (adaptive ones: within {:g} m)", scene.tolerance);
+    text += fmt::format(" (adaptive ones: within {:g} m)", usedTolerance(scene));
   }
   if (layout.still.empty()) return text;
   return fmt::format("{}; {} {} not change", text, layout.still, layout.still.size() > 1 ? "do" : "does");

@@ -35,23 +35,26 @@ std::vector<Changed> withUndampedSprings(const Scene& scene) {
   return {{"no spring damping", std::move(undamped)}};
 }
 
-bool touches(const Scene& scene) { return hasTerm(scene, ContactTerm::kTerm) && !scene.bodies.empty(); }
-
-std::vector<Changed> withoutThe(const Body& body, const Scene& scene) {
-  const auto found = std::ranges::find(scene.bodies, body);
-  if (!touches(scene) || found == scene.bodies.end()) return {};
-  const auto index = std::size_t(found - scene.bodies.begin());
-  return {{"no " + wordsFor(scene, index), withoutBody(scene, index)}};
+/// Of several equal bodies it takes the one at its place, as long as it is there.
+std::vector<Changed> withoutThe(const BodyOfScene& which, const Scene& scene) {
+  const std::vector<Body>& bodies = scene.bodies;
+  if (!touchesBodies(scene)) return {};
+  std::size_t index = which.index;
+  if (index >= bodies.size() || bodies[index] != which.body) {
+    index = std::size_t(std::ranges::find(bodies, which.body) - bodies.begin());
+  }
+  if (index == bodies.size()) return {};
+  return {{"no " + which.words, withoutBody(scene, index)}};
 }
 
 std::vector<Changed> withoutFriction(Scene scene) {
-  if (!touches(scene) || !(scene.contact.friction > 0)) return {};
+  if (!touchesBodies(scene) || !(scene.contact.friction > 0)) return {};
   scene.contact.friction = 0;
   return {{"no friction", std::move(scene)}};
 }
 
 std::vector<Changed> withUndampedContact(Scene scene) {
-  if (!touches(scene) || !(scene.contact.damping > 0)) return {};
+  if (!touchesBodies(scene) || !(scene.contact.damping > 0)) return {};
   scene.contact.damping = 0;
   return {{"no contact damping", std::move(scene)}};
 }
@@ -131,7 +134,9 @@ std::vector<Change> allChanges(const Scene& scene) {
   addTerms(true);
   changes.push_back({Change::SpringDamping});
   addTerms(false);
-  for (const Body& body : scene.bodies) changes.push_back({Change::OneBody, nullptr, body});
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    changes.push_back({Change::OneBody, nullptr, {scene.bodies[k], k, wordsFor(scene, k)}});
+  }
   for (const Change::Kind kind : {Change::Friction, Change::ContactDamping, Change::StillAir, Change::SteadyWind,
                                   Change::HalfSheet, Change::Float, Change::Step, Change::Method}) {
     changes.push_back({kind});

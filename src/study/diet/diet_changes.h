@@ -2,6 +2,7 @@
 // Must not know: what a change costs or loses.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,14 @@
 #include "tyg/scene.h"
 
 namespace tyg {
+
+/// One of the bodies of a scene.
+struct BodyOfScene {
+  Body body{};
+  std::size_t index = 0;  ///< its place in Scene::bodies
+  std::string words;      ///< as people call it there
+  bool operator==(const BodyOfScene&) const = default;
+};
 
 /// A way to make a scene leaner.
 struct Change {
@@ -28,7 +37,7 @@ struct Change {
   };
   Kind kind = LeaveOut;
   const ForceTerm* term = nullptr;  ///< LeaveOut: which
-  Body body{};                      ///< OneBody: which is left out, with its motions
+  BodyOfScene body{};               ///< OneBody: which is left out, with its motions
   bool operator==(const Change&) const = default;
 };
 /// All of them that a scene may have: each term that may be left out, each of its bodies, and what does not depend on

@@ -9,13 +9,11 @@
 
 #include <fmt/core.h>
 
-#include "core/forces/forces.h"
 #include "core/forces/term.h"
-#include "core/forces/terms/contact.h"
 #include "core/forces/terms/springs.h"
 #include "core/scene/bodies.h"
+#include "study/diet/free_fall.h"
 #include "tyg/sheet.h"
-#include "util/workers.h"
 
 namespace tyg {
 namespace {
@@ -24,36 +22,10 @@ constexpr double kVisible = 1e-3;
 
 double length(const Vec3& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
-bool touches(const Scene& scene) { return hasTerm(scene, ContactTerm::kTerm) && !scene.bodies.empty(); }
-
-/// Whether a sheet at rest that nothing but its weight moves, along straight lines then, meets a body on its way.
-bool fallsOntoABody(const Scene& scene) {
-  if (!touches(scene)) return false;
-  if (!scene.moves.empty()) return true;  // for all that is known
-  const Sheet sheet = makeSheet(scene);
-  Workers workers(1);
-  const Forces<double> forces(scene, sheet, workers);
-  State<double> state = startState<double>(sheet);
-  const Vec3 force = steadyForce(scene);
-  const double fallen = scene.duration * scene.duration / (2 * scene.particleMass);  // for each newton
-  constexpr double kMostLooks = 1e4;
-  const double looks = std::ceil(fallen * length(force) / scene.spacing) + 1;  // no body is smaller than the spacing
-  if (looks > kMostLooks) return true;
-  for (double k = 0; k <= looks; ++k) {
-    const double share = fallen * k / looks;
-    for (int i = 0; i < sheet.count(); ++i) {
-      const Vec3 start = sheet.startPosition(i);
-      state.position.set(i, {start.x + share * force.x, start.y + share * force.y, start.z + share * force.z});
-    }
-    if (forces.energy(0, state).of<ContactTerm>() > 0) return true;
-  }
-  return false;
-}
-
 bool isFreeFall(const Scene& scene) {
   const auto nothing = [](const Push& push) { return length(push.force) == 0 || push.duration == 0; };
   if (scene.air.density > 0 || !scene.pins.empty() || !scene.displacements.empty()) return false;
-  return std::ranges::all_of(scene.pushes, nothing) && !fallsOntoABody(scene);
+  return std::ranges::all_of(scene.pushes, nothing) && !mayFallOntoABody(scene);
 }
 
 void addFamily(const Scene& scene, Family family, std::string_view name, std::vector<std::string>& idle) {
@@ -109,7 +81,7 @@ void addAir(const Scene& scene, std::vector<std::string>& idle) {
 }
 
 void addContact(const Scene& scene, bool freeFall, std::vector<std::string>& idle) {
-  if (!touches(scene)) return;
+  if (!touchesBodies(scene)) return;
   if (freeFall) idle.push_back(bodiesInWords(scene) + ": the sheet falls freely and never touches a body");
   const double friction = scene.contact.friction;
   if (friction > 0 && (freeFall || friction < kVisible)) {

@@ -143,13 +143,6 @@ double unboundedLatticeLimit(const Scene& scene, const Method& method) {
 /// The smaller one of two limits, of which either may be NaN.
 double smallerOf(double a, double b) { return std::fmin(a, b); }
 
-/// A particle that is held moves along the normal like the first mode, and along the surface like the second.
-std::array<Mode, 2> heldModes(const Scene& scene) {
-  const ParticleHold hold = holdingTerm(scene).hold;
-  const double perMass = 1 / scene.particleMass, everywhere = perMass * particleDamping(scene);
-  return {{{perMass * hold.stiffness, perMass * hold.damping + everywhere}, {0, perMass * hold.across + everywhere}}};
-}
-
 double heldLimitOf(const Method& method, const Mode& mode) {
   if (!(mode.w2 > 0 || mode.d > 0)) return kEveryStep;
   return method.stableStepWhereHeld != nullptr ? method.stableStepWhereHeld(mode.w2, mode.d)
@@ -158,7 +151,8 @@ double heldLimitOf(const Method& method, const Mode& mode) {
 
 /// The mode of those that limits the method.
 Mode worstHeldMode(const Scene& scene, const Method& method) {
-  const auto [along, across] = heldModes(scene);
+  const std::vector<Mode> modes = heldModes(scene);
+  const Mode &along = modes.at(0), &across = modes.at(1);
   if (method.stableStep == nullptr) return fastRate(across) > fastRate(along) ? across : along;
   return heldLimitOf(method, across) < heldLimitOf(method, along) ? across : along;
 }
@@ -215,10 +209,18 @@ bool isLimitedByContact(const Scene& scene, const Method& method, double predict
 
 }  // namespace
 
+std::vector<Mode> heldModes(const Scene& scene) {
+  const auto [term, hold] = holdingTerm(scene);
+  if (term == nullptr) return {};
+  const double perMass = 1 / scene.particleMass, everywhere = perMass * particleDamping(scene);
+  return {{perMass * hold.stiffness, perMass * hold.damping + everywhere}, {0, perMass * hold.across + everywhere}};
+}
+
 double heldLimit(const Scene& scene, const Method& method) {
   if (method.stableStep == nullptr || holdingTerm(scene).term == nullptr) return kNone;
-  const auto [along, across] = heldModes(scene);
-  return finiteOrNone(std::min(heldLimitOf(method, along), heldLimitOf(method, across)));
+  double smallest = kEveryStep;
+  for (const Mode& mode : heldModes(scene)) smallest = std::min(smallest, heldLimitOf(method, mode));
+  return finiteOrNone(smallest);
 }
 
 double unboundedLimit(const Scene& scene, const Method& method) {
@@ -231,8 +233,10 @@ double restLatticeLimit(const Scene& scene, const Method& method) {
   return std::min(whole, limitInPieces(scene, method));
 }
 
+bool catchesAir(const Scene& scene) { return scene.columns > 1 && scene.rows > 1 && cellDampingTerm(scene) != nullptr; }
+
 double certifiedLimit(const Scene& scene, const Method& method) {
-  if (method.stableStep == nullptr) return kNone;
+  if (method.stableStep == nullptr || catchesAir(scene)) return kNone;
   const Lattice lattice(scene);
   const bool isHeld = holdingTerm(scene).term != nullptr;
   const auto over = [&](const WaveFunction& function) { return lowestWave(lattice, function); };

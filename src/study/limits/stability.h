@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/spectrum/lattice.h"
 #include "tyg/method.h"
@@ -20,16 +21,22 @@ double restLatticeLimit(const Scene& scene, const Method& method);
 /// The largest stable step (s) of a single particle that contact holds: along the normal w2 = k/m and d = 2 zeta
 /// sqrt(k/m), along the surface d = grip/m. NaN where nothing holds particles, or the method has no limit of modes.
 double heldLimit(const Scene& scene, const Method& method);
+/// The modes of such a particle, along the normal and along the surface; none where nothing holds particles.
+std::vector<Mode> heldModes(const Scene& scene);
 /// The same as the first of the unbounded lattice, whatever the size of the sheet.
 double unboundedLimit(const Scene& scene, const Method& method);
 
 /// A step (s) up to which no deformation of the sheet makes the method unstable: each mode of the sheet as it is at any
 /// one time stays bounded. For symplectic Euler, leapfrog and report-rk4 from max over q of h^2 Lk + c h Ld <= 4 m
 /// (docs/model.md, section 8); for imex the same with no damping; for Runge-Kutta methods the smallest limit of any
-/// mode with w2 <= max Lk / m and d <= max Ld / m, which every mode has whatever the springs' directions. 0 where no
-/// step can be certified; NaN where the method has no limit, or one that depends on the whole spectrum (rkc2). Springs
-/// that are compressed may buckle: that is motion, and no method's fault.
+/// mode with w2 <= max Lk / m and d <= max Ld / m, which every mode has whatever the springs' directions. Where contact
+/// holds particles, imex is explicit in its damping: its c is 2 then, with all of Ld, springs and drag included. 0
+/// where no step can be certified; NaN where the method has no limit, or one that depends on the whole spectrum (rkc2),
+/// and where air acts on cells (catchesAir()). Springs that are compressed may buckle: that is motion, and no method's
+/// fault.
 double certifiedLimit(const Scene& scene, const Method& method);
+/// Whether air acts on the cells of a sheet. A stretched cell catches more of it, without bound.
+bool catchesAir(const Scene& scene);
 
 /// What limits a method in a scene, and which motion fails first.
 struct StepLimit {

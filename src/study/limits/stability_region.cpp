@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/spectrum/rest_spectrum.h"
+#include "study/limits/stability.h"
 
 namespace tyg {
 namespace {
@@ -44,6 +45,14 @@ std::vector<std::complex<double>> sceneRoots(const Scene& scene) {
   return roots;
 }
 
+std::vector<std::complex<double>> heldRoots(const Scene& scene) {
+  std::vector<std::complex<double>> roots;
+  for (const Mode& mode : heldModes(scene)) {
+    for (const std::complex<double>& mu : rootsOf(mode)) roots.push_back(mu);
+  }
+  return roots;
+}
+
 StabilityRegion regionOf(const Method& method, const Scene& scene, double h) {
   StabilityRegion region;
   const bool chebyshev = method.stableStep == nullptr && method.stableStepOfScene != nullptr;
@@ -59,14 +68,15 @@ StabilityRegion regionOf(const Method& method, const Scene& scene, double h) {
   return region;
 }
 
-bool holdsAt(const Method& method, const StabilityRegion& region, const std::complex<double>& mu, double h) {
+bool holdsAt(const Method& method, const StabilityRegion& region, const std::complex<double>& mu, double h, bool held) {
   const double size = std::abs(mu), loss = std::max(0.0, -mu.real());
   constexpr double kRounding = 1e-9;
   if (size == 0 || (region.edge.empty() && region.stages.count == 0)) return true;
   if (region.stages.count > 0)
     return std::abs(chebyshevGrowth(region.stages, {-loss * h, mu.imag() * h})) <= 1 + kRounding;
   const bool turns = std::abs(mu.imag()) > kRounding * size;
-  return h <= (1 + kRounding) * (turns ? method.stableStep(size * size, 2 * loss) : method.stableStep(0, loss));
+  const auto limitOf = held && method.stableStepWhereHeld != nullptr ? method.stableStepWhereHeld : method.stableStep;
+  return h <= (1 + kRounding) * (turns ? limitOf(size * size, 2 * loss) : limitOf(0, loss));
 }
 
 }  // namespace tyg

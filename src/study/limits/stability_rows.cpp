@@ -29,6 +29,10 @@ std::string cell(double step) {
   return step == 0 ? "none" : fmt::format("{:.4g}", 1e3 * step);
 }
 
+std::string certifiedCell(const StabilityStudy& study, const StabilityCase& entry) {
+  return entry.method->stableStep != nullptr && catchesAir(study.scene) ? "none" : cell(entry.limit.certified);
+}
+
 std::string firstMode(const StabilityStudy& study, const StabilityCase& entry) {
   const StepLimit& limit = entry.limit;
   std::string appearance = appearanceOf(study.scene, limit);
@@ -45,7 +49,8 @@ std::string tableLine(const StabilityStudy& study, const StabilityCase& entry) {
     first.append(limit.outOfPlane ? ", out of plane" : "").append(", ").append(causeOf(limit));
   }
   return fmt::format("{:<16}  {:<7} {:>9} {:>9} {:>9} {:>9}   {}\n", entry.method->name, dampingOf(entry),
-                     cell(limit.predicted), cell(limit.certified), cell(entry.atRest), cell(entry.inMotion), first);
+                     cell(limit.predicted), certifiedCell(study, entry), cell(entry.atRest), cell(entry.inMotion),
+                     first);
 }
 
 /// The words in lines of a page; all but the first line are indented.
@@ -73,6 +78,10 @@ std::string noteOn(const StabilityStudy& study, const StabilityCase& entry) {
 
 std::vector<std::string> notesOn(const StabilityStudy& study) {
   std::vector<std::string> notes;
+  if (catchesAir(study.scene)) {
+    std::string still = study.scene.winds.empty() ? "" : " Around rest was measured in still air.";
+    notes.push_back("certified: none with air: a stretched cell catches more of it." + still);
+  }
   std::string adaptive;
   for (const StabilityCase& entry : study.cases) {
     if (const std::string own = noteOn(study, entry); !own.empty()) notes.push_back(own);

@@ -19,6 +19,9 @@ Wind firstWind(const Scene& scene) { return scene.winds.empty() ? Wind{} : scene
 /// Gusts travel with a wind.
 bool hasWind(const Scene& scene) { return firstWind(scene).velocity != Vec3{}; }
 
+/// Without air a wind blows nothing, but may still be taken away.
+bool hasAirOrWind(const Scene& scene) { return scene.air.density > 0 || !scene.winds.empty(); }
+
 /// Changes the first wind so that a scene file could have it: there is none where it is nothing, and no gust without
 /// both a velocity and a wavelength. Set in the order of the table, the values of any such wind come back.
 template <class Change>
@@ -71,6 +74,7 @@ constexpr std::array kParameters{
         .get = [](const Scene& scene) { return firstWind(scene).velocity; },
         .set = [](Scene& scene, const Vec3& value) { setFirstWind(scene, [&](Wind& wind) { wind.velocity = value; }); },
         .decidesPresence = false,
+        .exists = hasAirOrWind,
         .isSpeed = true,
         .ofList = true,
         .mostByHand = 30,
@@ -88,6 +92,7 @@ constexpr std::array kParameters{
                         const Vec3& value) { setFirstWind(scene, [&](Wind& wind) { wind.wavelength = value.x; }); },
               .decidesPresence = false,
               .acts = hasWind,
+              .exists = hasAirOrWind,
               .ofList = true,
               .mostByHand = 30,
               .digits = 3},
@@ -106,6 +111,7 @@ constexpr std::array kParameters{
                   },
               .decidesPresence = false,
               .acts = hasWind,
+              .exists = hasAirOrWind,
               .ofList = true,
               .mostByHand = 30,
               .digits = 3}};

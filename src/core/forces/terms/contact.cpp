@@ -138,13 +138,14 @@ void ContactTerm::setMoment(const Scene& scene, const Acting& acting, double tim
     const BodyMotion motion = k < acting.bodies.size() ? acting.bodies[k] : BodyMotion{};
     Solid<T>& solid = moment.solids[k];
     solid.shape = body.shape;
-    put(sum(sum(body.at, 1, motion.offset), time, motion.velocity), solid.at);
+    const Vec3 at = sum(sum(body.at, 1, motion.offset), time, motion.velocity);
+    put(at, solid.at);
     put(motion.velocity, solid.velocity);
     solid.radius = T(body.radius + gapOf(scene, body));
     const Vec3& axis = body.axis;
     if (body.shape == Shape::Plane) {
       put(body.normal, solid.axis);
-      const Vec3 at = sum(sum(body.at, 1, motion.offset), time, motion.velocity), &normal = body.normal;
+      const Vec3& normal = body.normal;
       solid.radius = T((at.x * normal.x + at.y * normal.y + at.z * normal.z) + gapOf(scene, body));
     } else if (body.shape == Shape::Capsule) {
       put(axis, solid.axis);
