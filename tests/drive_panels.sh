@@ -71,23 +71,26 @@ click 270 122
 
 press o
 few_frames
-click 945 560
-until_true "a click on a picture opens its scene" has_step 0.001
-xdotool search --onlyvisible --name '^Tyg: Cut' >/dev/null || fail "the title is not that of the new scene"
+point 1050 400
+xdotool click --repeat 4 --delay 100 5
+few_frames 8
+click 945 420
+until_true "a click on a picture opens its scene" has_step 0.002
+xdotool search --onlyvisible --name '^Tyg: Drop' >/dev/null || fail "the title is not that of the new scene"
 press Escape
 few_frames
 read_log && [[ $state == waiting ]] || fail "Esc closed more than a panel"
 press space
-until_true "the curtain hangs" later_than 0.1
+until_true "the sheet falls" later_than 0.1
 press space
 until_true "it pauses" in_state paused
 
 # What is kept is done again to the same bits.
 press y
 few_frames
-for ending in png toml csv; do [[ -s tyg-cut-1.$ending ]] || fail "Y kept no tyg-cut-1.$ending"; done
-"$tyg" run --replay tyg-cut-1.csv >/dev/null || fail "the kept run does not replay to the same bits"
-"$tyg" run tyg-cut-1.toml --replay tyg-cut-1.csv >/dev/null || fail "nor does it on the kept scene"
+for ending in png toml csv; do [[ -s tyg-drop-1.$ending ]] || fail "Y kept no tyg-drop-1.$ending"; done
+"$tyg" run --replay tyg-drop-1.csv >/dev/null || fail "the kept run does not replay to the same bits"
+"$tyg" run tyg-drop-1.toml --replay tyg-drop-1.csv >/dev/null || fail "nor does it on the kept scene"
 
 # What is recorded is the scene as it was edited.
 point 170 507
@@ -98,12 +101,12 @@ few_frames
 hold Return
 until_true "another sheet waits at its start" in_state waiting
 press space
-until_true "the edited curtain hangs" later_than 0.1
+until_true "the edited sheet falls" later_than 0.1
 # What acts at once, the drag of the air, is part of the record.
 click 240 426
 read_log
 in_state running || fail "a change of the drag stopped the cloth"
-until_true "it hangs on" later_than "$(awk "BEGIN { print $sim_s + 0.1 }")"
+until_true "it falls on" later_than "$(awk "BEGIN { print $sim_s + 0.1 }")"
 
 [[ ! -e $XDG_STATE_HOME/tyg/hints ]] || fail "hints were shown although there is a log"
 press Escape
