@@ -18,8 +18,8 @@ struct CrossingCells {
 /// The first of the cells, row by row, that passes through another; nothing where none does. Each cell is two
 /// triangles, cut from its upper right to its lower left corner, and passes through another where one of its edges
 /// meets the inside of one of these; touching, and lying in one plane, does not count. Cells that share a corner are
-/// not compared, and cells that were cut are not there. `positions`: of every particle, m; crossings with numbers that are not finite are none. Time: n log n
-/// in the number of cells, unless most of the sheet lies in one place.
+/// not compared, and cells that were cut are not there. `positions`: of every particle, m; crossings with numbers that
+/// are not finite are none. Time: n log n in the number of cells, unless most of the sheet lies in one place.
 std::optional<CrossingCells> firstCrossing(const Sheet& sheet, std::span<const Vec3> positions);
 
 }  // namespace tyg
