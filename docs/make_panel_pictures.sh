@@ -36,7 +36,7 @@ run_a_while() {
   until_true "a restart" in_state waiting
   press space
   until_true "it swings" later_than 0.4
-  xdotool mousemove --window "$window" $((width / 2)) $((height * 2 / 5)) click 1 mousemove $((width / 2)) 20
+  xdotool mousemove --window "$window" $((width / 2)) $((height * 2 / 5)) click 1 mousemove $((width / 2)) $((height * 9 / 10))
   until_true "it is pushed" later_than 0.75
   press space
   until_true "it pauses" in_state paused

@@ -69,8 +69,10 @@ void ToolBar::draw(const TextWriter& writer, ImVec2 across, const Viewer& viewer
       const ImVec2 extent = writer.extent(kind.how, wrap);
       const float most = std::max(writer.size, ImGui::GetIO().DisplaySize.x - extent.x - writer.size);
       const ImVec2 below{std::min(at.x, most), corner.y + 0.6F * writer.size};
-      writer.shade(below, {below.x + extent.x, below.y + extent.y});
-      writer.write(below, ink.text, kind.how, wrap);
+      TextWriter overPanels = writer;
+      overPanels.list = ImGui::GetForegroundDrawList();
+      overPanels.shade(below, {below.x + extent.x, below.y + extent.y});
+      overPanels.write(below, ink.text, kind.how, wrap);
     }
     areas_.push_back({at, corner});
     at.x = corner.x + kGap * writer.size;
