@@ -73,12 +73,8 @@ struct Forces<T>::Kernel {
       rowTask.firstPush = std::to_address(first), rowTask.endPush = std::to_address(end);
       rowTask.finish = kernels.finish[int(update)][particleTerms][first == end ? 0 : 1];
     }
-    if (!masks.none()) {
-      rowTask.there = masks.of(row);
-      (rowTask.there != nullptr ? rowTask.masked : rowTask.accumulate)(rowTask, row, finishes);
-      return;
-    }
-    rowTask.accumulate(rowTask, row, finishes);
+    rowTask.there = masks.of(row);
+    (rowTask.there != nullptr ? rowTask.masked : rowTask.accumulate)(rowTask, row, finishes);
   }
   T* cleanScratch(int slot) {
     AlignedVector<T>& memory = scratch[static_cast<std::size_t>(slot)];

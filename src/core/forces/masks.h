@@ -56,8 +56,6 @@ class RowMasks {
       }
     }
   }
-  /// Whether nothing is gone anywhere.
-  [[nodiscard]] bool none() const { return ofRow_.empty(); }
   /// Null: nothing of the row is gone.
   [[nodiscard]] const T* of(int row) const {
     if (ofRow_.empty() || ofRow_[static_cast<std::size_t>(row)].empty()) return nullptr;

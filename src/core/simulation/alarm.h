@@ -27,10 +27,10 @@ class Alarm {
 
   /// Takes the power (W) that damping takes at a time (s), at the regular checks alone and before check().
   /// The energy lost between two checks is estimated as the time between them times the lower of the two powers, and
-  /// where bodies are touched of the last three, since each may be that of a short blow. That
-  /// is too little where the motion dies out or grows, and nearly right for a jitter, which stays the same. Each check
-  /// takes a part 1/kMemory off D, so that small errors of the estimate do not add up over a long run; this only lowers
-  /// the sum, and so never sets off the alarm. What winds, pins and bodies have brought is not taken off: it is lost
+  /// where bodies are touched of the last three, since each may be that of a short blow. That is too little where the
+  /// motion dies out or grows, and nearly right for a jitter, which stays the same. Each check takes a part 1/kMemory
+  /// off D, so that small errors of the estimate do not add up over a long run; this only lowers the sum, and so never
+  /// sets off the alarm. What winds, pins and bodies have brought is not taken off: it is lost
   /// all the time, and without it the sum would fall for ever while a cloth jitters in the wind.
   void lose(double power, double time);
   /// To be called for steps of h seconds. `forcing` (J/s2): the sum over the particles of |F|^2 / m, F what steady
