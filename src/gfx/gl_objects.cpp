@@ -21,11 +21,21 @@ std::string_view shaderText(const std::string& file) {
   throw std::runtime_error("no shader " + file + " is built in");
 }
 
+/// With the one file that it may include in its place: `#include "NAME"` on a line of its own.
+std::string completeText(const std::string& file) {
+  constexpr std::string_view kInclude = "#include \"";
+  std::string text(shaderText(file));
+  const std::size_t line = text.find(kInclude);
+  if (line == std::string::npos) return text;
+  const std::size_t name = line + kInclude.size(), end = text.find('"', name);
+  return text.replace(line, end + 1 - line, shaderText(text.substr(name, end - name)));
+}
+
 /// Deletes the shader again when linking is over or has failed.
 class Shader {
  public:
   Shader(GLenum stage, const std::string& file) : name_(glCreateShader(stage)) {
-    const std::string_view text = shaderText(file);
+    const std::string text = completeText(file);
     const char* start = text.data();
     const auto length = static_cast<GLint>(text.size());
     glShaderSource(name_, 1, &start, &length);

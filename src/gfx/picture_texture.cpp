@@ -11,14 +11,6 @@ namespace {
 
 constexpr int kSamples = 4;
 
-struct FramebufferKind {
-  static GLuint make() {
-    GLuint name = 0;
-    glGenFramebuffers(1, &name);
-    return name;
-  }
-  static void destroy(GLuint name) { glDeleteFramebuffers(1, &name); }
-};
 struct RenderbufferKind {
   static GLuint make() {
     GLuint name = 0;
@@ -28,23 +20,11 @@ struct RenderbufferKind {
   static void destroy(GLuint name) { glDeleteRenderbuffers(1, &name); }
 };
 
-/// Binds the framebuffer that was bound before again.
-class FramebufferGuard {
- public:
-  FramebufferGuard() { glGetIntegerv(GL_FRAMEBUFFER_BINDING, &before_); }
-  ~FramebufferGuard() { glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(before_)); }
-  FramebufferGuard(const FramebufferGuard&) = delete;
-  FramebufferGuard& operator=(const FramebufferGuard&) = delete;
-
- private:
-  GLint before_ = 0;
-};
-
 }  // namespace
 
 struct PictureTexture::Impl {
   GlTexture texture;
-  GlObject<FramebufferKind> smooth, resolved;
+  GlFramebuffer smooth, resolved;
   GlObject<RenderbufferKind> colour, depth;
 
   Impl(int width, int height) {

@@ -46,6 +46,7 @@ void ClothPainter::draw(const Viewer& viewer, Panels& panels, Extent window) {
   if (sheet_ != viewer.scenes().sheetsSoFar()) *this = ClothPainter(viewer);
   ClothPicture picture{.options = viewer.view().drawOptions()};
   picture.options.wind = shownWind(viewer);
+  followLook(viewer.scenes().scene(), picture.options);
   panels.paint(picture);
   placeBodies(viewer.run().simulation().scene(), viewer.run().shown().time(), bodies_);
   addShifted(bodies_, picture.ghostShift);

@@ -1,4 +1,4 @@
-// What of a cloth is drawn and how: families of springs, discs, ground, colours, a push, a wind, bodies.
+// What of a cloth is drawn and how: lines or a surface, its look, discs, ground, colours, a push, a wind, bodies.
 // Must not know: OpenGL, windows, the simulation.
 #pragma once
 
@@ -30,6 +30,9 @@ struct ShownWind {
 
 /// What is drawn and how.
 struct DrawOptions {
+  Show show = Show::Lines;        ///< of the cloth; a chain has no surface and is always drawn as lines
+  const Look* look = nullptr;     ///< of the surface, valid while it is drawn; null: the usual one
+  std::span<const Lamp> lamps{};  ///< on surfaces and bodies, valid while they are drawn; none: the usual one
   bool structural = true, shear = false, bend = false;  ///< families of springs, as lines
   bool particles = false, pins = true;                  ///< as discs
   bool ground = true;
@@ -42,6 +45,12 @@ struct DrawOptions {
   std::optional<ShownWind> wind{};
   std::span<const Body> bodies{};  ///< where they are now (see placeBodies), valid while they are drawn
 };
+
+/// Makes the options follow the look of a scene, which must live while they are used.
+inline void followLook(const Scene& scene, DrawOptions& options) {
+  options.look = &scene.look;
+  options.lamps = scene.lamps;
+}
 
 /// A push as shown: an arrow on a particle along a force (N).
 struct ShownPush {

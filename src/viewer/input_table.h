@@ -22,7 +22,7 @@ enum class InputAction {
   KeepPicture, Film,
   ShowHelp, Leave,
   ChooseMethod,
-  ShowStructural, ShowShear, ShowBend, ShowParticles, ShowPins, ShowGround, ChangeBackground,
+  ChangeShow, ShowStructural, ShowShear, ShowBend, ShowParticles, ShowPins, ShowGround, ChangeBackground,
 };
 // clang-format on
 inline constexpr std::size_t kInputActions = static_cast<std::size_t>(InputAction::ChangeBackground) + 1;

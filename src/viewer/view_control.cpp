@@ -71,6 +71,8 @@ void ViewControl::toggle(InputAction action) {
       return flip(draw_.shear);
     case ShowBend:
       return flip(draw_.bend);
+    case ChangeShow:
+      return show(draw_.show == Show::Lines ? Show::Surface : draw_.show == Show::Surface ? Show::Both : Show::Lines);
     case ShowParticles:
       return flip(draw_.particles);
     case ShowPins:

@@ -12,7 +12,7 @@ TEST(Render, DrawsAPictureThatShowsTheCloth) {
   const auto file = folder / "curtain.png";
   const Outcome outcome = tyg("render curtain --at 0.3 --size 320x200 --out " + file.string());
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  const Picture picture = readPng(file);
+  const Picture picture = readPicture(file);
   EXPECT_EQ(picture.width, 320);
   EXPECT_EQ(picture.height, 200);
   int blue = 0;  // the springs' colour; neither sky nor ground comes near it
@@ -79,8 +79,8 @@ TEST(View, WithoutADisplayDrawsFilesAndReplacesNone) {
     const Outcome outcome = tyg("view curtain --duration 0.02 --size 64x48", bare);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
   }
-  EXPECT_EQ(readPng(folder / "curtain.png").width, 64);
-  EXPECT_EQ(readPng(folder / "curtain-2.png").width, 64);
+  EXPECT_EQ(readPicture(folder / "curtain.png").width, 64);
+  EXPECT_EQ(readPicture(folder / "curtain-2.png").width, 64);
   EXPECT_EQ(folder.fileCount(), 2U);
 }
 

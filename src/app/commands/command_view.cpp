@@ -29,6 +29,7 @@ struct ViewOptions {
   std::string window = "glfw", size = "1280x720";
   std::optional<double> uiScale;
   std::optional<std::string> log, record;
+  LookOptions look;
 };
 
 OpeningOptions openingOptions(const ViewOptions& options) {
@@ -56,6 +57,7 @@ int renderWithoutWindow(const ViewOptions& options, const Scene& scene, const No
   RenderRequest like;
   like.size = {width, height};
   like.threads = options.scene.threads.value_or(0);
+  like.show = chosenShow(options.look, scene);
   return renderInstead(scene, like);
 }
 
@@ -67,6 +69,7 @@ int sayNoWindow(const std::runtime_error& why) {
 
 int show(const ViewOptions& options, const Scene& scene, OpeningWindow& opening) {
   Viewer viewer(scene, Settings{.threads = options.scene.threads.value_or(0)}, wallClock);
+  if (const auto show = chosenShow(options.look, scene)) viewer.show(*show);
   bool kept = false;
   const auto keep = [&options, &kept](const EventLog& log) {
     kept = true;
@@ -99,6 +102,7 @@ int show(const ViewOptions& options, const Scene& scene, OpeningWindow& opening)
 
 int view(const ViewOptions& options) {
   const Scene scene = chosenScene(options.scene);
+  (void)chosenShow(options.look, scene);  // refuses a picture that cannot be read before a window opens
   if (options.log) checkWritable(*options.log);
   if (options.record) checkWritable(*options.record);
   std::optional<OpeningWindow> opening;
@@ -139,6 +143,7 @@ void addViewCommand(CLI::App& app, Action& action) {
       .typeName("FILE.csv");
   command.option("--record", options->record, "Write the run here, its scene, pushes and changes, for tyg run --replay")
       .typeName("FILE");
+  addLookOption(command, options->look);
   command.onChosen([&action, options] { action = [options] { return view(*options); }; });
 }
 
