@@ -9,8 +9,7 @@ uniform mat4 view;
 uniform mat4 projection;
 uniform int columns;                    // of the sheet
 uniform bool besideCut;
-uniform bool coloured;                  // by a number of each particle
-uniform samplerBuffer values;           // these numbers
+uniform samplerBuffer values;           // a number of each particle
 uniform vec2 range;                     // the numbers at both ends of the colours
 
 out vec3 point;        // m
@@ -21,7 +20,10 @@ out float alongRamp;   // 0 at the first of the colours, 1 at the last
 void main() {
   int number = besideCut ? int(particle) : gl_VertexID;
   onSheet = besideCut ? place : vec2(number % columns, number / columns);
-  alongRamp = coloured ? (texelFetch(values, number).r - range.x) / max(range.y - range.x, 1e-30) : 0.0;
+  alongRamp = 0.0;
+#if PATTERN == NUMBERS
+  alongRamp = (texelFetch(values, number).r - range.x) / max(range.y - range.x, 1e-30);
+#endif
   point = position;
   facing = normal;
   gl_Position = projection * view * vec4(position, 1);

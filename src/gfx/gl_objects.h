@@ -77,8 +77,9 @@ class FramebufferGuard {
 /// A vertex and a fragment shader, `STEM.vert` and `STEM.frag` of shaders/.
 class GlProgram {
  public:
-  /// Throws std::runtime_error with the driver's log where they do not compile or link.
-  explicit GlProgram(std::string_view stem);
+  /// `defines`: lines of GLSL that both begin with, after their version. Throws std::runtime_error with the driver's
+  /// log where they do not compile or link.
+  explicit GlProgram(std::string_view stem, std::string_view defines = {});
   ~GlProgram();
   GlProgram(const GlProgram&) = delete;
   GlProgram& operator=(const GlProgram&) = delete;

@@ -10,8 +10,7 @@
 namespace tyg {
 namespace {
 
-constexpr int kMask = 512;          // pixels a side
-constexpr float kSoftness = 0.01F;  // cloth sizes: half of the width of a shadow's edge
+constexpr int kMask = 320;  // pixels a side
 
 }  // namespace
 
@@ -71,8 +70,6 @@ void ShadowPass::draw(const Frame& frame) {
   program.set("across", shadow_->across);
   program.set("along", shadow_->along);
   program.set("strength", frame.palette.shadow);
-  const float soft = kSoftness * frame.camera.watched().size() / 2;
-  program.set("edge", glm::vec2(soft / glm::length(shadow_->across), soft / glm::length(shadow_->along)));
   program.set("mask", 0);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, objects_->mask.name());

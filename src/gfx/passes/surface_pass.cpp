@@ -1,6 +1,8 @@
 // Surfaces lie a little behind where they are, so that lines and discs on them are seen whole.
 #include "gfx/passes/surface_pass.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "gfx/picture.h"
@@ -9,10 +11,9 @@
 namespace tyg {
 namespace {
 
-constexpr float kThreads = 96, kChecks = 12;       // along the larger side of the sheet
-constexpr float kBehind = 1.5F, kBehindFlat = 2;   // as glPolygonOffset takes them
-enum TextureUnit { ValuesUnit = 0, ImageUnit };    // in which the shaders find their textures
-enum Pattern { None = 0, Plain, Checker, Image };  // of surface.frag
+constexpr float kThreads = 128, kChecks = 12;     // along the larger side of the sheet
+constexpr float kBehind = 1.5F, kBehindFlat = 2;  // as glPolygonOffset takes them
+enum TextureUnit { ValuesUnit = 0, ImageUnit };   // in which the shaders find their textures
 
 glm::vec3 vec(const Vec3& v) { return {float(v.x), float(v.y), float(v.z)}; }
 
@@ -24,20 +25,41 @@ void bindTexture(TextureUnit unit, GLenum kind, GLuint texture) {
 }  // namespace
 
 void SurfacePass::draw(const Frame& frame) {
-  if (!canvas_.showsSurface(frame.options)) return;
+  const DrawOptions& options = frame.options;
+  if (!canvas_.showsSurface(options)) return;
+  static const Look kUsual;
+  const Look& look = options.look != nullptr ? *options.look : kUsual;
   if (!objects_) objects_.emplace();
-  const GlProgram& program = objects_->program;
-  const bool coloured = uploadValues(frame);
-  program.use();
+  const Pattern pattern = uploadValues(frame) ? Pattern::Numbers : patternOf(look);
+  const GlProgram& program = use(pattern);
   program.set("view", frame.view);
   program.set("projection", frame.projection);
   program.set("eye", frame.camera.eye());
   setLights(program, frame.lights);
-  setColours(frame, coloured);
+  program.set("values", int{ValuesUnit});
+  program.set("image", int{ImageUnit});
+  program.set("colour", look.colour ? vec(*look.colour) : frame.palette.cloth);
+  program.set("perCell", perCell(pattern));
+  program.set("range", glm::vec2(options.colouring.low, options.colouring.high));
+  program.set("ramp", std::span<const glm::vec3>(coloursOf(options.colouring.ramp, options.background)));
+  if (pattern == Pattern::Image) bindTexture(ImageUnit, GL_TEXTURE_2D, objects_->image.name());
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(kBehind, kBehindFlat);
   canvas_.cloth.draw(program);
   glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+const GlProgram& SurfacePass::use(Pattern pattern) {
+  constexpr std::array<const char*, 5> kNames{"NONE", "PLAIN", "CHECKER", "IMAGE", "NUMBERS"};
+  const auto chosen = static_cast<std::size_t>(pattern);
+  std::optional<GlProgram>& program = objects_->programs.at(chosen);
+  if (!program) {
+    std::string defines = fmt::format("#define PATTERN {}\n", chosen);
+    for (std::size_t k = 0; k < kNames.size(); ++k) defines += fmt::format("#define {} {}\n", kNames.at(k), k);
+    program.emplace("surface", defines);
+  }
+  program->use();
+  return *program;
 }
 
 /// False where the colours are not by a number, or where there is not one for every particle.
@@ -54,32 +76,16 @@ bool SurfacePass::uploadValues(const Frame& frame) {
   return true;
 }
 
-void SurfacePass::setColours(const Frame& frame, bool coloured) {
-  static const Look kUsual;
-  const GlProgram& program = objects_->program;
-  const DrawOptions& options = frame.options;
-  const Look& look = options.look != nullptr ? *options.look : kUsual;
-  program.set("values", int{ValuesUnit});
-  program.set("image", int{ImageUnit});
-  program.set("coloured", coloured ? 1 : 0);
-  program.set("colour", look.colour ? vec(*look.colour) : frame.palette.cloth);
-  program.set("pattern", coloured ? int{None} : setPattern(look));
-  if (!coloured) return;
-  program.set("range", glm::vec2(options.colouring.low, options.colouring.high));
-  program.set("ramp", std::span<const glm::vec3>(coloursOf(options.colouring.ramp, options.background)));
+SurfacePass::Pattern SurfacePass::patternOf(const Look& look) {
+  if (!look.image.empty() && loadImage(look.image)) return Pattern::Image;
+  return look.weave == Weave::Checker ? Pattern::Checker : look.weave == Weave::Plain ? Pattern::Plain : Pattern::None;
 }
 
-int SurfacePass::setPattern(const Look& look) {
-  const Sheet& sheet = canvas_.sheet;
-  const auto cells = static_cast<float>(std::max(sheet.columns, sheet.rows) - 1);
-  const auto alike = [&](float count) { objects_->program.set("perCell", glm::vec2(count / cells)); };
-  if (!look.image.empty() && loadImage(look.image)) {
-    objects_->program.set("perCell", 1.0F / glm::vec2(sheet.columns - 1, sheet.rows - 1));
-    bindTexture(ImageUnit, GL_TEXTURE_2D, objects_->image.name());
-    return Image;
-  }
-  alike(look.weave == Weave::Checker ? kChecks : kThreads);
-  return look.weave == Weave::Checker ? Checker : look.weave == Weave::Plain ? Plain : None;
+/// How often a pattern repeats on a cell of the sheet.
+glm::vec2 SurfacePass::perCell(Pattern pattern) const {
+  const glm::vec2 cells(canvas_.sheet.columns - 1, canvas_.sheet.rows - 1);
+  if (pattern == Pattern::Image) return 1.0F / cells;
+  return glm::vec2((pattern == Pattern::Checker ? kChecks : kThreads) / std::max(cells.x, cells.y));
 }
 
 /// Once for each path. False where there is no picture: commands and windows have said so before.

@@ -2,6 +2,7 @@
 // Must not know: how its triangles come about, what the numbers mean.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,15 +17,17 @@ class SurfacePass final : public Pass {
   void draw(const Frame& frame) override;
 
  private:
+  enum class Pattern { None, Plain, Checker, Image, Numbers };
   /// Made when a surface is first shown.
   struct Objects {
-    GlProgram program{"surface"};
+    std::array<std::optional<GlProgram>, 5> programs;  ///< one for each pattern, made when it is first shown
     GlBuffer values;
     GlTexture valueTexture, image;
   };
+  [[nodiscard]] const GlProgram& use(Pattern pattern);
   [[nodiscard]] bool uploadValues(const Frame& frame);
-  void setColours(const Frame& frame, bool coloured);
-  int setPattern(const Look& look);
+  [[nodiscard]] Pattern patternOf(const Look& look);
+  [[nodiscard]] glm::vec2 perCell(Pattern pattern) const;
   [[nodiscard]] bool loadImage(const std::string& path);
 
   const Canvas& canvas_;
