@@ -57,10 +57,19 @@ struct GlFramebufferKind {
   }
   static void destroy(GLuint name) { glDeleteFramebuffers(1, &name); }
 };
+struct GlRenderbufferKind {
+  static GLuint make() {
+    GLuint name = 0;
+    glGenRenderbuffers(1, &name);
+    return name;
+  }
+  static void destroy(GLuint name) { glDeleteRenderbuffers(1, &name); }
+};
 using GlBuffer = GlObject<GlBufferKind>;
 using GlTexture = GlObject<GlTextureKind>;
 using GlVertexArray = GlObject<GlVertexArrayKind>;
 using GlFramebuffer = GlObject<GlFramebufferKind>;
+using GlRenderbuffer = GlObject<GlRenderbufferKind>;
 
 /// Binds the framebuffer again that was bound before.
 class FramebufferGuard {

@@ -11,21 +11,12 @@ namespace {
 
 constexpr int kSamples = 4;
 
-struct RenderbufferKind {
-  static GLuint make() {
-    GLuint name = 0;
-    glGenRenderbuffers(1, &name);
-    return name;
-  }
-  static void destroy(GLuint name) { glDeleteRenderbuffers(1, &name); }
-};
-
 }  // namespace
 
 struct PictureTexture::Impl {
   GlTexture texture;
   GlFramebuffer smooth, resolved;
-  GlObject<RenderbufferKind> colour, depth;
+  GlRenderbuffer colour, depth;
 
   Impl(int width, int height) {
     const FramebufferGuard guard;
