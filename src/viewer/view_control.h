@@ -45,7 +45,8 @@ class ViewControl {
   void show(Show how) { chosenShow_ = draw_.show = how; }
   /// The scene's wish, which counts until the person chooses.
   void followScene(Show how) { draw_.show = chosenShow_.value_or(how); }
-  /// Switches one of the things that are drawn; does nothing for an action of another kind.
+  /// Switches one of the things that are drawn; does nothing for an action of another kind. A family of lines comes on
+  /// to a surface that is shown alone.
   void toggle(InputAction action);
 
   [[nodiscard]] const Camera& camera() const { return camera_; }
