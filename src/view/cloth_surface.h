@@ -22,7 +22,7 @@ struct ClothVertex {
 
 /// Cells without a cut are two triangles between particles each. A cell that lost one of its four sides is drawn once
 /// for each part of it that still hangs together: to the middles of its lost sides, which are extrapolated from the
-/// part's own particles (virtual nodes, Molino, Bao and Fedkiw 2004). So a cut opens as two edges, and nothing joins
+/// part's own particles (Molino, Bao and Fedkiw 2004). So a cut opens as two edges, and nothing joins
 /// parts that have come apart.
 class ClothSurface {
  public:
