@@ -141,12 +141,17 @@ glm::vec3 ClothSurface::beyond(int particle, Way way) const {
   return withLength(across, glm::length(across), spacing);
 }
 
+ClothVertex ClothSurface::corner(int particle) const {
+  const int column = particle % sheet_.columns, row = particle / sheet_.columns;
+  return {at(particle), normals_[std::size_t(particle)], {float(column), float(row)}, std::uint32_t(particle)};
+}
+
 /// The middle of a side that was lost, as a particle sees it.
 ClothVertex ClothSurface::end(int particle, Way way) const {
   const std::array<glm::vec2, 4> halves{{{0.5F, 0}, {0, 0.5F}, {-0.5F, 0}, {0, -0.5F}}};
-  const glm::vec2 place(float(particle % sheet_.columns), float(particle / sheet_.columns));
-  return {at(particle) + 0.5F * beyond(particle, way), normals_[std::size_t(particle)], place + halves.at(way),
-          std::uint32_t(particle)};
+  ClothVertex vertex = corner(particle);
+  vertex.position += 0.5F * beyond(particle, way), vertex.place += halves.at(way);
+  return vertex;
 }
 
 void ClothSurface::addNormals(const Cell& cell) {
@@ -164,11 +169,7 @@ void ClothSurface::addNormals(const Cell& cell) {
 
 void ClothSurface::addPieces(const Cell& cell) {
   const auto losses = cell.losses();
-  const auto corner = [&](std::size_t i) {
-    const int particle = cell.corners[i % kCorners];
-    const glm::vec2 place(float(particle % sheet_.columns), float(particle / sheet_.columns));
-    return ClothVertex{at(particle), normals_[std::size_t(particle)], place, std::uint32_t(particle)};
-  };
+  const auto corner = [&](std::size_t i) { return this->corner(cell.corners[i % kCorners]); };
   const glm::vec2 middle = 0.5F * (corner(0).place + corner(2).place);
   for (std::size_t start = 0; start < kCorners; ++start) {
     const std::size_t before = (start + 3) % kCorners;

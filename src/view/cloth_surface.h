@@ -50,6 +50,7 @@ class ClothSurface {
   [[nodiscard]] int neighbour(int particle, Way way) const;
   [[nodiscard]] bool joined(int particle, Way way) const;
   [[nodiscard]] glm::vec3 beyond(int particle, Way way) const;
+  [[nodiscard]] ClothVertex corner(int particle) const;
   [[nodiscard]] ClothVertex end(int particle, Way way) const;
   void addWholeNormals();
   void addNormals(const Cell& cell);

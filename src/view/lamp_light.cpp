@@ -2,6 +2,7 @@
 #include "view/lamp_light.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "view/body_shapes.h"
 
@@ -36,7 +37,9 @@ struct Reach {
 Lights lightsOf(std::span<const Lamp> lamps) {
   Lights all;
   for (const Lamp& lamp : lamps.first(std::min<std::size_t>(lamps.size(), kMostLamps))) {
-    const glm::vec4 from = lamp.at ? glm::vec4(vec(*lamp.at), 1) : glm::vec4(-glm::normalize(vec(lamp.direction)), 0);
+    const double length = std::hypot(lamp.direction.x, lamp.direction.y, lamp.direction.z);
+    const Vec3 towards{-lamp.direction.x / length, -lamp.direction.y / length, -lamp.direction.z / length};
+    const glm::vec4 from = lamp.at ? glm::vec4(vec(*lamp.at), 1) : glm::vec4(vec(towards), 0);
     all.lights.at(std::size_t(all.count++)) = {from, vec(lamp.colour)};
   }
   if (all.count == 0)

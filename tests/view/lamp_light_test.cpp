@@ -31,6 +31,7 @@ TEST(LampLight, LampsAreFarAwayOrAtAPlace) {
   const Lights lights = lightsOf(lamps);
   ASSERT_EQ(lights.count, 2);
   EXPECT_EQ(lights.lights[0].from, glm::vec4(0, 1, 0, 0));
+  EXPECT_EQ(lightsOf(std::vector<Lamp>{{.direction = {0, -1e-30, 0}}}).lights[0].from, glm::vec4(0, 1, 0, 0));
   EXPECT_EQ(lights.lights[1].from, glm::vec4(1, 2, 3, 1));
   EXPECT_EQ(lights.lights[1].colour, glm::vec3(0.5F, 0, 1));
 }
