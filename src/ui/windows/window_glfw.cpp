@@ -14,7 +14,6 @@
 namespace tyg {
 namespace {
 
-constexpr int kSamples = 4;
 constexpr std::size_t kEventsToExpect = 256;
 
 std::string glfwComplaint() {
@@ -59,12 +58,9 @@ GLFWwindow* createWindow(const WindowOptions& options) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-  for (const int samples : {kSamples, 0}) {  // some displays have no multisampling
-    glfwWindowHint(GLFW_SAMPLES, samples);
-    GLFWwindow* window =
-        glfwCreateWindow(options.size.width, options.size.height, options.title.c_str(), nullptr, nullptr);
-    if (window != nullptr) return window;
-  }
+  GLFWwindow* window =
+      glfwCreateWindow(options.size.width, options.size.height, options.title.c_str(), nullptr, nullptr);
+  if (window != nullptr) return window;
   throw WindowError("this display gives no OpenGL 3.3 window (" + glfwComplaint() + ")");
 }
 

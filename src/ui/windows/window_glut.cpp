@@ -26,7 +26,6 @@
 namespace tyg {
 namespace {
 
-constexpr int kSamples = 4;
 constexpr std::size_t kEventsToExpect = 256;
 /// Between looks at the focus while a key is down.
 constexpr std::chrono::milliseconds kNap{5};
@@ -133,12 +132,9 @@ class GlutWindow final : public Window {
     const XErrorHandler before = XSetErrorHandler(onXError);
     glutInit(&count, arguments.data());
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_CONTINUE_EXECUTION);
-    glutSetOption(GLUT_MULTISAMPLE, kSamples);
     glutInitContextVersion(3, 3);
     glutInitContextProfile(GLUT_CORE_PROFILE);
-    constexpr unsigned kMode = GLUT_RGBA | GLUT_DOUBLE | GLUT_DEPTH;
-    glutInitDisplayMode(kMode | GLUT_MULTISAMPLE);
-    if (glutGet(GLUT_DISPLAY_MODE_POSSIBLE) == 0) glutInitDisplayMode(kMode);  // some displays have no multisampling
+    glutInitDisplayMode(GLUT_RGBA | GLUT_DOUBLE | GLUT_DEPTH);
     glutInitWindowSize(options.size.width, options.size.height);
     window_ = glutCreateWindow(options.title.c_str());
     XSetErrorHandler(before);
