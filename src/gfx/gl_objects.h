@@ -71,14 +71,13 @@ using GlVertexArray = GlObject<GlVertexArrayKind>;
 using GlFramebuffer = GlObject<GlFramebufferKind>;
 using GlRenderbuffer = GlObject<GlRenderbufferKind>;
 
-/// Binds the framebuffer that was bound before again.
+/// Binds the framebuffer again that was bound before.
 class FramebufferGuard {
  public:
   FramebufferGuard() { glGetIntegerv(GL_FRAMEBUFFER_BINDING, &before_); }
-  ~FramebufferGuard() { glBindFramebuffer(GL_FRAMEBUFFER, before()); }
+  ~FramebufferGuard() { glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(before_)); }
   FramebufferGuard(const FramebufferGuard&) = delete;
   FramebufferGuard& operator=(const FramebufferGuard&) = delete;
-  [[nodiscard]] GLuint before() const { return static_cast<GLuint>(before_); }
 
  private:
   GLint before_ = 0;
