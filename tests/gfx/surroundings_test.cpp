@@ -14,6 +14,8 @@ constexpr glm::ivec2 kSize(240, 160), kPart(200, 120);
 class Surroundings : public testing::TestWithParam<OffscreenKind> {
  protected:
   Surroundings() {
+    sheet_.columns = sheet_.rows = 8;
+    sheet_.spacing = 0.1;
     for (int i = 0; i < sheet_.count(); ++i) {
       const Vec3 p = sheet_.startPosition(i);
       xyz_.insert(xyz_.end(), {float(p.x), float(p.y), float(p.z)});
@@ -31,7 +33,7 @@ class Surroundings : public testing::TestWithParam<OffscreenKind> {
   }
 
   std::unique_ptr<Offscreen> context_ = makeOffscreen(GetParam(), kSize.x, kSize.y);
-  Sheet sheet_{.columns = 8, .rows = 8, .spacing = 0.1};
+  Sheet sheet_;
   std::vector<float> xyz_;
   Camera camera_;
   DrawOptions options_;
