@@ -1,7 +1,15 @@
-// A copy between framebuffers of one kind is a copy of memory where there is no graphics card.
+// Copies from one framebuffer to the other and back.
 #include "gfx/passes/kept_picture.h"
 
 namespace tyg {
+namespace {
+
+/// From the framebuffer that is bound for reading into the one that is bound for drawing.
+void copyColours(glm::ivec2 pixels) {
+  glBlitFramebuffer(0, 0, pixels.x, pixels.y, 0, 0, pixels.x, pixels.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+}  // namespace
 
 bool KeptPicture::possible() {
   GLint samples = 0;
@@ -9,21 +17,24 @@ bool KeptPicture::possible() {
   return samples < 2;
 }
 
-bool KeptPicture::begin(glm::ivec2 pixels) {
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+bool KeptPicture::keep(glm::ivec2 pixels) {
+  const FramebufferGuard guard;
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
   if (pixels != pixels_) {
     glBindRenderbuffer(GL_RENDERBUFFER, colours_.name());
     glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, pixels.x, pixels.y);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colours_.name());
+    glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colours_.name());
     pixels_ = pixels;
   }
-  return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+  if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return false;
+  copyColours(pixels);
+  return true;
 }
 
-void KeptPicture::copy() const {
+void KeptPicture::show() const {
   const FramebufferGuard guard;
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());  // and what is bound stays what is drawn into
-  glBlitFramebuffer(0, 0, pixels_.x, pixels_.y, 0, 0, pixels_.x, pixels_.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
+  copyColours(pixels_);
 }
 
 }  // namespace tyg

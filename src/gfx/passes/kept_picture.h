@@ -1,4 +1,4 @@
-// A picture as large as the framebuffer that is drawn once and copied many times.
+// What a framebuffer shows, kept to be shown again.
 // Must not know: what it shows.
 #pragma once
 
@@ -10,24 +10,16 @@ namespace tyg {
 
 class KeptPicture {
  public:
-  /// True where a picture can be copied into the bound framebuffer: it has one sample a pixel.
+  /// True where the bound framebuffer can be kept: it has one sample a pixel.
   static bool possible();
 
-  /// Keeps what `painting` draws into an empty framebuffer of so many pixels without depths. The framebuffer that was
-  /// bound is bound again. Returns false where the driver can draw into none of this kind.
-  template <class Painting>
-  bool keep(glm::ivec2 pixels, const Painting& painting) {
-    const FramebufferGuard guard;
-    if (!begin(pixels)) return false;
-    painting();
-    return true;
-  }
-  /// The kept picture into the bound framebuffer, all of it.
-  void copy() const;
+  /// Keeps the colours of the bound framebuffer, of so many pixels from its lower left corner. Returns false where the
+  /// driver can keep none.
+  bool keep(glm::ivec2 pixels);
+  /// The kept colours into the bound framebuffer again.
+  void show() const;
 
  private:
-  bool begin(glm::ivec2 pixels);
-
   GlFramebuffer framebuffer_;
   GlRenderbuffer colours_;
   glm::ivec2 pixels_{0};

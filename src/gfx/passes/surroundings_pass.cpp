@@ -62,16 +62,15 @@ void SurroundingsPass::paint(const Look& look) const {
   glEnable(GL_DEPTH_TEST);
 }
 
-/// Most of the time the camera stands: what two frames in a row have in common is kept.
+/// Most of the time the camera stands: what is the same in two frames in a row is kept for those that follow.
 void SurroundingsPass::draw(const Frame& frame) {
   if (!frame.options.ground || frame.options.over) return;
   const Look look = lookOf(frame);
-  const bool stands = shown_ == look && KeptPicture::possible();
-  shown_ = look;
-  if (stands && keptLook_ != look) {
-    keptLook_ = kept_.keep(frame.pixels, [&] { paint(look); }) ? std::optional(look) : std::nullopt;
-  }
-  stands && keptLook_ ? kept_.copy() : paint(look);
+  if (kept_ == look && KeptPicture::possible()) return picture_.show();
+  paint(look);
+  const bool stands = painted_ == look && KeptPicture::possible();
+  painted_ = look;
+  if (stands && picture_.keep(frame.pixels)) kept_ = look;
 }
 
 }  // namespace tyg

@@ -28,8 +28,8 @@ class SurroundingsPass final : public Pass {
   const Sheet& sheet_;
   GlProgram program_{"surroundings"};
   GlVertexArray nothing_;  // the shader makes its one triangle itself
-  KeptPicture kept_;
-  std::optional<Look> shown_, keptLook_;
+  KeptPicture picture_;
+  std::optional<Look> painted_, kept_;
 };
 
 }  // namespace tyg
