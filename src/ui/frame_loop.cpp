@@ -28,7 +28,7 @@ FrameLoop::FrameLoop(OpeningWindow& opening, Viewer& viewer, const std::optional
     : viewer_(viewer),
       window_(opening.window()),
       imgui_(opening.imgui()),
-      painter_(viewer),
+      painter_(viewer, imgui_.scale()),
       hud_(imgui_.fonts()),
       panels_(imgui_.fonts().size, viewer),
       capture_(std::filesystem::current_path()),
