@@ -12,6 +12,7 @@ inline constexpr KeyCode kWheel = 4;  ///< never pressed: names the wheel in the
 /// Function keys, which are the same on every keyboard.
 inline constexpr KeyCode kFirstFunctionKey = 5;
 inline constexpr int kFunctionKeys = 3;
+inline constexpr KeyCode kFullScreenKey = 11;  ///< F11
 /// A left drag with one of those keys down; never pressed: they name it in the table of inputs.
 inline constexpr KeyCode kControlDrag = 14, kShiftDrag = 15;
 inline constexpr bool isMouse(KeyCode key) { return key >= kLeftButton && key <= kWheel; }

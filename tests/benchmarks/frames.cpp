@@ -60,6 +60,7 @@ class NoWindow final : public Window {
   std::span<const WindowEvent> events(double) override { return {}; }
   void swap() override { glFinish(); }
   void setTitle(const std::string&) override {}
+  void toggleFullScreen() override {}
   [[nodiscard]] Extent framebuffer() const override { return size_; }
   [[nodiscard]] double contentScale() const override { return 1; }
   [[nodiscard]] bool closeRequested() const override { return false; }
@@ -69,6 +70,7 @@ class NoWindow final : public Window {
     ImGui::NewFrame();
   }
   void detachOverlay() override {}
+  [[nodiscard]] bool overlayBehind() const override { return false; }
 
  private:
   Extent size_;
