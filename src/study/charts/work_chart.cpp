@@ -29,9 +29,8 @@ struct Style {
 };
 
 Style styleOf(const std::string& method) {
-  constexpr std::array kHollow{8, 6, 4, 10, 12, 14};  // in the order of Mark
   const MethodStyle style = styleOfMethod(method);
-  const int hollow = kHollow.at(static_cast<std::size_t>(style.mark));
+  const int hollow = gnuplotType(style.mark);
   return {chartColour(style.colour), hollow + 1, hollow, style.dashed ? 2 : 1};
 }
 
@@ -101,7 +100,8 @@ void addLegend(const WorkChart& chart, double left, ChartScript& script) {
   for (const std::string& words : horizons) line("    " + words);
   if (!horizons.empty()) line("    past T* compare the energy's drift, below left, and past_horizon.csv");
   entry(kPlus, 1.5, "#888888", "below the floor: may be rounding, not the method");
-  entry(kCross, 2.0, kInk, "failed");
+  script.point({at.x + 20, at.y}, kCross, 1.3, kInk);
+  entry(6, 2.6, kInk, "failed");
   script.line(at, {at.x + 40, at.y}, {.colour = kInk, .width = 2.5, .head = true});
   line(fmt::format("finer steps take over {:g} s a run", chart.runBudget));
   if (chart.comparedDuration) entry(kDot, 1.4, "#b0b0b0", "the file compared with");
@@ -285,7 +285,8 @@ void addCurve(const ChartPanel& panel, const std::string& method, Precision prec
   plot("past", fmt::format("points pt {} ps 0.9 lc rgb '{}'", kDot, doubtful));
   plot("below", fmt::format("points pt {} ps 1.5 lw 2 lc rgb '{}'", kPlus, doubtful));
   plot("trusted", points);
-  plot("failure", fmt::format("points pt 2 {} {}", isDouble ? "ps 2.2 lw 3" : "ps 1.3 lw 1.6", colour));
+  plot("failure", fmt::format("points pt {} {} {}", style.hollow, isDouble ? "ps 2.6 lw 2.5" : "ps 1.8 lw 1.6", colour));
+  plot("failure", fmt::format("points pt {} {} {}", kCross, isDouble ? "ps 1.3 lw 2.5" : "ps 0.9 lw 1.6", colour));
 }
 
 /// The curves of the file compared with, wide and grey below all others.
