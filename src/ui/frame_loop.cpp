@@ -70,7 +70,7 @@ void FrameLoop::takeEvents() {
   for (const WindowEvent& event : window_.events(stale_ > 0 || panels_.busy() || capture_.busy() ? spare_ : patience)) {
     stale_ = kFramesToSettle;
     const bool pressed = event.kind == WindowEvent::Kind::Press;
-    if (pressed && event.key == kFullScreenKey) window_.toggleFullScreen();
+    if (pressed && event.key == functionKey(11)) window_.toggleFullScreen();
     (void)router_.route(event);
   }
   if (window_.framebuffer() != shown_) stale_ = kFramesToSettle;

@@ -38,7 +38,6 @@ class Library {
 KeyCode keyCode(int key, int scancode) {
   if (key == GLFW_KEY_ESCAPE) return kEscapeKey;
   if (key == GLFW_KEY_TAB) return kTabKey;
-  if (key == GLFW_KEY_F11) return kFullScreenKey;
   if (key >= GLFW_KEY_F1 && key < GLFW_KEY_F1 + kFunctionKeys) {
     return static_cast<KeyCode>(kFirstFunctionKey + key - GLFW_KEY_F1);
   }

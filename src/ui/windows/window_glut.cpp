@@ -227,7 +227,6 @@ class GlutWindow final : public Window {
     if (down && (writes || (code > kDelete && code < kSpecial))) inputs_.text(static_cast<unsigned>(code));
   }
   void functionKey(WindowEvent::Kind kind, int key) {
-    if (key == GLUT_KEY_F11) events_.push_back({.kind = kind, .key = kFullScreenKey});
     if (key < GLUT_KEY_F1 || key >= GLUT_KEY_F1 + kFunctionKeys) return;
     events_.push_back({.kind = kind, .key = static_cast<KeyCode>(kFirstFunctionKey + key - GLUT_KEY_F1)});
   }
