@@ -28,7 +28,7 @@ class ClothPainter {
   std::unique_ptr<SheetRenderer> ghost_;  ///< its springs may differ; null until one is shown
   std::vector<Body> bodies_;              ///< as shown
   float scale_;
-  int sheet_;                             ///< of SceneControl::sheetsSoFar(), the one that the renderer is for
+  int sheet_;  ///< of SceneControl::sheetsSoFar(), the one that the renderer is for
 };
 
 }  // namespace tyg

@@ -33,8 +33,8 @@ class HeldKeys {
   static constexpr double kShortest = 1.0 / 60;  // s
   std::array<bool, kInputActions> held_{};
   std::array<double, kInputActions> due_{};  ///< s for which a key that was pressed has still to move the camera
-  std::optional<Input> repeated_;  ///< its key is held down and acts again ...
-  double repeatAt_ = 0;            ///< ... at this time, s
+  std::optional<Input> repeated_;            ///< its key is held down and acts again ...
+  double repeatAt_ = 0;                      ///< ... at this time, s
 };
 
 }  // namespace tyg

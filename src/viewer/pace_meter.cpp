@@ -26,7 +26,9 @@ void PaceMeter::measure(double frameSeconds, double simulatingSeconds, const Fra
            .simulating = simulating,
            .realTime = clock.realTimeFactor(),
            .behind = clock.behind(),
-           .slow = !late_ && !clock.behind() ? Nothing : simulating > 0.5 ? Simulating : Drawing};
+           .slow = !late_ && !clock.behind() ? Nothing
+                   : simulating > 0.5        ? Simulating
+                                             : Drawing};
 }
 
 }  // namespace tyg

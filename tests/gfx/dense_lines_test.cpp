@@ -75,9 +75,7 @@ TEST(DenseLines, HaveAsMuchInkAsThoseThatStandALittleFartherApart) {
   for (const int side : {120, 240, 480}) EXPECT_NEAR(meanOf(toneOf(side)), apart, 0.15 * apart) << side;
 }
 
-TEST(Lines, AreWiderWhereTheScaleIsLarger) {
-  EXPECT_NEAR(meanOf(toneOf(9, 2)) / meanOf(toneOf(9)), 2, 0.2);
-}
+TEST(Lines, AreWiderWhereTheScaleIsLarger) { EXPECT_NEAR(meanOf(toneOf(9, 2)) / meanOf(toneOf(9)), 2, 0.2); }
 
 }  // namespace
 }  // namespace tyg

@@ -136,7 +136,9 @@ void addViewCommand(CLI::App& app, Action& action) {
       })
       .typeName("glfw|glut");
   command.option("--size", options->size, "Pixels of the window [1280x720]").check(size).typeName("WxH");
-  command.amount("--ui-scale", options->uiScale, parseScale, "Size of the text, on top of the screen's own scale [1]")
+  command
+      .amount("--ui-scale", options->uiScale, parseScale,
+              "Size of text and lines, on top of the screen's own scale [1]")
       .typeName("X");
   command.flag("--light", options->light, "Begin with a light background; B changes it");
   command.option("--log", options->log, "Write one CSV line a frame here, for scripts that watch the window")

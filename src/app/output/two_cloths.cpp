@@ -18,8 +18,8 @@
 namespace tyg {
 namespace {
 
-// Told apart by brightness too, so that they can be printed in grey. The first is wide, so that it shows on both sides of
-// the second where the two agree.
+// Told apart by brightness too, so that they can be printed in grey. The first is wide, so that it shows on both sides
+// of the second where the two agree.
 constexpr std::array<std::uint8_t, 3> kPaleBlue{0x7A, 0xC0, 0xEC}, kDarkRed{0x8C, 0x24, 0x00};
 constexpr float kWide = 4.5F, kNarrow = 1.6F;  // pixels
 constexpr float kFade = 0.25F;                 // with distance: more would make one of them look like the other
@@ -64,7 +64,8 @@ void turnToDifference(const Cloth& one, const Cloth& other, Camera& camera) {
       const auto share = [](int x, int y) { return glm::vec2(x, y) / float(kSide); };
       const glm::vec3 here = placeOf(one, share(column, row));
       differences.push_back(placeOf(other, share(column, row)) - here);
-      areas.push_back(glm::cross(placeOf(one, share(column + 1, row)) - here, placeOf(one, share(column, row + 1)) - here));
+      areas.push_back(
+          glm::cross(placeOf(one, share(column + 1, row)) - here, placeOf(one, share(column, row + 1)) - here));
     }
   }
   const float yaw = camera.yaw(), pitch = camera.pitch();

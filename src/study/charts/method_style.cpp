@@ -12,12 +12,12 @@ namespace {
 // Of Okabe and Ito's two oranges the yellow one gives way to their yellow, darker on light. On dark ground all are a
 // little lighter, or they would sink into it; black becomes white.
 constexpr std::array<SeriesColour, kSeriesColours> kColours{{{0x0072b2, 0x328cd8},
-                                                {0xc84600, 0xe66414},
-                                                {0x009e73, 0x00aa7d},
-                                                {0xcc79a7, 0xde90bc},
-                                                {0xbea500, 0xf0e442},
-                                                {0x56b4e9, 0x7ecdfa},
-                                                {0x000000, 0xffffff}}};
+                                                             {0xc84600, 0xe66414},
+                                                             {0x009e73, 0x00aa7d},
+                                                             {0xcc79a7, 0xde90bc},
+                                                             {0xbea500, 0xf0e442},
+                                                             {0x56b4e9, 0x7ecdfa},
+                                                             {0x000000, 0xffffff}}};
 
 }  // namespace
 

@@ -278,7 +278,8 @@ void addCurve(const ChartPanel& panel, const std::string& method, Precision prec
   plot("past", fmt::format("points pt {} ps 0.9 lc rgb '{}'", kDot, doubtful));
   plot("below", fmt::format("points pt {} ps 1.5 lw 2 lc rgb '{}'", kPlus, doubtful));
   plot("trusted", points);
-  plot("failure", fmt::format("points pt {} {} {}", style.hollow, isDouble ? "ps 2.6 lw 2.5" : "ps 1.8 lw 1.6", colour));
+  plot("failure",
+       fmt::format("points pt {} {} {}", style.hollow, isDouble ? "ps 2.6 lw 2.5" : "ps 1.8 lw 1.6", colour));
   plot("failure", fmt::format("points pt {} {} {}", kCross, isDouble ? "ps 1.3 lw 2.5" : "ps 0.9 lw 1.6", colour));
 }
 

@@ -1,7 +1,7 @@
-// What the person did, as ImGui is told of it: ImGui looks at keys and buttons once a frame, so that a key that goes down
-// and up between two frames would never have been down. Inputs wait here, and each frame is given as many as it can tell
-// apart. ImGui 1.87 and later keep such a queue themselves: for those this one is not needed.
-// Must not know: window libraries, what an input does.
+// What the person did, as ImGui is told of it: ImGui looks at keys and buttons once a frame, so that a key that goes
+// down and up between two frames would never have been down. Inputs wait here, and each frame is given as many as it
+// can tell apart. ImGui 1.87 and later keep such a queue themselves: for those this one is not needed. Must not know:
+// window libraries, what an input does.
 #pragma once
 
 #include <deque>
