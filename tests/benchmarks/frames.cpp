@@ -1,8 +1,9 @@
 // What frames of the window cost, without a window: the cloth, the surroundings, the text over them and the panels,
 // drawn by EGL without a display.
-//   frames [--samples N] [--frames N] [NAME...]
+//   frames [--samples N] [--frames N] [--out DIR] [NAME...]
 // Prints a table of milliseconds of processor time, of all threads together; asserts nothing. With --samples, frames
-// are drawn with so many samples a pixel and averaged, as a window with multisampling would do. NAMEs choose rows.
+// are drawn with so many samples a pixel and averaged, as a window with multisampling would do. --out keeps a picture
+// of each row. NAMEs choose rows.
 #include <glad/gl.h>
 #include <imgui.h>
 
