@@ -3,6 +3,7 @@
 #version 330 core
 
 uniform vec3 colour;
+uniform float opacity;  // 0..1
 
 in vec3 facing;
 out vec4 painted;
@@ -12,5 +13,5 @@ const float kLeast = 0.45;                    // of the colour, on the side away
 
 void main() {
   float light = 0.5 + 0.5 * dot(normalize(facing), kLight);
-  painted = vec4(colour * mix(kLeast, 1.0, light * light), 1);
+  painted = vec4(colour * mix(kLeast, 1.0, light * light), opacity);
 }

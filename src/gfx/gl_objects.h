@@ -49,9 +49,39 @@ struct GlVertexArrayKind {
   }
   static void destroy(GLuint name) { glDeleteVertexArrays(1, &name); }
 };
+struct GlFramebufferKind {
+  static GLuint make() {
+    GLuint name = 0;
+    glGenFramebuffers(1, &name);
+    return name;
+  }
+  static void destroy(GLuint name) { glDeleteFramebuffers(1, &name); }
+};
+struct GlRenderbufferKind {
+  static GLuint make() {
+    GLuint name = 0;
+    glGenRenderbuffers(1, &name);
+    return name;
+  }
+  static void destroy(GLuint name) { glDeleteRenderbuffers(1, &name); }
+};
 using GlBuffer = GlObject<GlBufferKind>;
 using GlTexture = GlObject<GlTextureKind>;
 using GlVertexArray = GlObject<GlVertexArrayKind>;
+using GlFramebuffer = GlObject<GlFramebufferKind>;
+using GlRenderbuffer = GlObject<GlRenderbufferKind>;
+
+/// Binds the framebuffer again that was bound before.
+class FramebufferGuard {
+ public:
+  FramebufferGuard() { glGetIntegerv(GL_FRAMEBUFFER_BINDING, &before_); }
+  ~FramebufferGuard() { glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(before_)); }
+  FramebufferGuard(const FramebufferGuard&) = delete;
+  FramebufferGuard& operator=(const FramebufferGuard&) = delete;
+
+ private:
+  GLint before_ = 0;
+};
 
 /// A vertex and a fragment shader, `STEM.vert` and `STEM.frag` of shaders/.
 class GlProgram {

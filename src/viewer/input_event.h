@@ -9,9 +9,10 @@ using KeyCode = char;
 inline constexpr KeyCode kEscapeKey = 27, kEnterKey = 13, kTabKey = 9;
 inline constexpr KeyCode kLeftButton = 1, kRightButton = 2, kMiddleButton = 3;
 inline constexpr KeyCode kWheel = 4;  ///< never pressed: names the wheel in the table of inputs
-/// Function keys, which are the same on every keyboard.
-inline constexpr KeyCode kFirstFunctionKey = 5;
-inline constexpr int kFunctionKeys = 3;
+/// F1 to F12, which are the same on every keyboard; no character that is typed has these codes.
+inline constexpr KeyCode kFirstFunctionKey = static_cast<KeyCode>(0x80);
+inline constexpr int kFunctionKeys = 12;
+inline constexpr KeyCode functionKey(int number) { return static_cast<KeyCode>(kFirstFunctionKey + number - 1); }
 /// A left drag with one of those keys down; never pressed: they name it in the table of inputs.
 inline constexpr KeyCode kControlDrag = 14, kShiftDrag = 15;
 inline constexpr bool isMouse(KeyCode key) { return key >= kLeftButton && key <= kWheel; }

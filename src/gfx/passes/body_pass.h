@@ -23,6 +23,7 @@ class BodyPass final : public Pass {
     std::unique_ptr<const SolidMesh> mesh;
   };
   void renewSolids(std::span<const Body> bodies);
+  void drawSolids(std::span<const Body> bodies, float swell, float opacity) const;
 
   const Canvas& canvas_;
   std::optional<GlProgram> program_;  // made when a body is first shown
