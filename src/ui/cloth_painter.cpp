@@ -48,6 +48,7 @@ void ClothPainter::draw(const Viewer& viewer, Panels& panels, Extent window) {
   ClothPicture picture{.options = viewer.view().drawOptions()};
   picture.options.wind = shownWind(viewer);
   picture.options.scale = scale_;
+  followLook(viewer.scenes().scene(), picture.options);
   panels.paint(picture);
   placeBodies(viewer.run().simulation().scene(), viewer.run().shown().time(), bodies_);
   addShifted(bodies_, picture.ghostShift);

@@ -41,15 +41,18 @@ ImVec2 screenSize() { return ImGui::GetIO().DisplaySize; }
 
 bool isOn(const HelpLine& line, const Viewer& viewer) {
   const DrawOptions& draw = viewer.view().drawOptions();
+  const bool lines = draw.show != Show::Surface;
   switch (line.action) {
     case InputAction::ChooseMethod:
       return &methods()[line.method] == &viewer.scenes().method();
+    case InputAction::ChangeShow:
+      return draw.show != Show::Lines;
     case InputAction::ShowStructural:
-      return draw.structural;
+      return lines && draw.structural;
     case InputAction::ShowShear:
-      return draw.shear;
+      return lines && draw.shear;
     case InputAction::ShowBend:
-      return draw.bend;
+      return lines && draw.bend;
     case InputAction::ShowParticles:
       return draw.particles;
     case InputAction::ShowPins:

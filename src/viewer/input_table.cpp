@@ -60,6 +60,7 @@ constexpr std::array kInputs{
     Input{'9', ChooseMethod, "9", "method"},
     Input{'0', ChooseMethod, "0", "method"},
     Input{'-', ChooseMethod, "-", "method"},
+    Input{functionKey(6), ChangeShow, "F6", "lines, surface, both"},
     Input{'L', ShowStructural, "L", "structural lines"},
     Input{'X', ShowShear, "X", "shear lines"},
     Input{'N', ShowBend, "N", "bend lines"},

@@ -22,7 +22,7 @@ enum class InputAction {
   KeepPicture, Film,
   ShowHelp, Leave,
   ChooseMethod,
-  ShowStructural, ShowShear, ShowBend, ShowParticles, ShowPins, ShowGround, ChangeBackground,
+  ChangeShow, ShowStructural, ShowShear, ShowBend, ShowParticles, ShowPins, ShowGround, ChangeBackground,
   FullScreen,
 };
 // clang-format on

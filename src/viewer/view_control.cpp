@@ -64,13 +64,19 @@ void ViewControl::approach(float notches) {
 void ViewControl::toggle(InputAction action) {
   using enum InputAction;
   const auto flip = [](bool& value) { value = !value; };
+  const auto flipLines = [&](bool& family) {
+    family = draw_.show == Show::Surface || !family;
+    if (draw_.show == Show::Surface) show(Show::Both);
+  };
   switch (action) {
     case ShowStructural:
-      return flip(draw_.structural);
+      return flipLines(draw_.structural);
     case ShowShear:
-      return flip(draw_.shear);
+      return flipLines(draw_.shear);
     case ShowBend:
-      return flip(draw_.bend);
+      return flipLines(draw_.bend);
+    case ChangeShow:
+      return show(draw_.show == Show::Lines ? Show::Surface : draw_.show == Show::Surface ? Show::Both : Show::Lines);
     case ShowParticles:
       return flip(draw_.particles);
     case ShowPins:

@@ -4,6 +4,7 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,7 +41,12 @@ class ViewControl {
   void move(const Motion& keys, float seconds);
   void turn(glm::vec2 pixels);   ///< the cursor moved so far
   void approach(float notches);  ///< of the wheel
-  /// Switches one of the things that are drawn; does nothing for an action of another kind.
+  /// The cloth is shown so from now on, whatever its scene says.
+  void show(Show how) { chosenShow_ = draw_.show = how; }
+  /// The scene's wish, which counts until the person chooses.
+  void followScene(Show how) { draw_.show = chosenShow_.value_or(how); }
+  /// Switches one of the things that are drawn; does nothing for an action of another kind. A family of lines comes on
+  /// to a surface that is shown alone.
   void toggle(InputAction action);
 
   [[nodiscard]] const Camera& camera() const { return camera_; }
@@ -56,6 +62,7 @@ class ViewControl {
 
   Camera camera_;
   DrawOptions draw_;
+  std::optional<Show> chosenShow_;  ///< by the person
   bool help_ = true;
   Extent pixels_;
   Insets insets_;

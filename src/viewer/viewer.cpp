@@ -23,11 +23,13 @@ Viewer::Viewer(const Scene& scene, const Settings& settings, Clock clock)
       scenes_(scene, settings, run_, notes_),
       tools_(run_, view_, notes_),
       lastFrame_(clock_()) {
+  view_.followScene(scene.look.show);
   run_.showStart();
 }
 
 void Viewer::runBegan() {
   tools_.restart();
+  view_.followScene(scenes_.scene().look.show);
   if (std::exchange(sheet_, scenes_.sheetsSoFar()) == scenes_.sheetsSoFar()) return;
   tools_.forgetParticles();
   view_.begin(motionBounds(run_.simulation(), run_.shown().box(), scenes_.settings(), clock_));

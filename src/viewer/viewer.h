@@ -25,6 +25,8 @@ class Viewer final : private RunListener {
   void perform(InputAction action);
   /// Size of the window, and what of it is not free for the cloth; see ViewControl::resize.
   void resize(Extent pixels, const Insets& insets);
+  /// As the key does it that goes through lines, surface and both.
+  void show(Show how) { view_.show(how); }
   /// Once a frame: moves the camera and the cloth to the present time.
   void frame();
 

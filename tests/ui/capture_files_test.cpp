@@ -45,7 +45,7 @@ TEST_F(CaptureFilesTest, NothingIsOverwritten) {
   const std::string said = files_.keep(picture(4, 4), live.log());
   EXPECT_NE(said.find("tyg-curtain-2.png"), std::string::npos) << said;
   EXPECT_EQ(contentsOf(folder_ / "tyg-curtain-1.mp4"), "mine");
-  EXPECT_EQ(readPng(folder_ / "tyg-curtain-2.png").width, 4);
+  EXPECT_EQ(readPicture(folder_ / "tyg-curtain-2.png").width, 4);
 }
 
 TEST_F(CaptureFilesTest, AFolderThatIsGoneIsAnError) {

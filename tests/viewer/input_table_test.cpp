@@ -73,7 +73,7 @@ TEST(InputTable, TheKeyThatShowsTheKeysIsTheLastToGo) {
     for (std::size_t k = 0; k + 1 < room; ++k) EXPECT_EQ(some[k], all[k]) << room;
   }
   EXPECT_TRUE(linesThatFit(lines, false, 0).empty());
-  EXPECT_EQ(linesThatFit(lines, true, 4).back()->action, InputAction::ShowStructural);
+  EXPECT_EQ(linesThatFit(lines, true, 4).back()->action, InputAction::ChangeShow);
 }
 
 TEST(InputTable, HelpNamesTheMethodsByTheirNumbers) {

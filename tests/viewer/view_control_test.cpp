@@ -53,6 +53,44 @@ TEST_F(ViewerTest, TheWheelGoesNearer) {
   EXPECT_LT(viewer_.view().camera().distance(), before);
 }
 
+TEST_F(ViewerTest, OneKeyGoesThroughLinesSurfaceAndBoth) {
+  const auto shown = [this] { return viewer_.view().drawOptions().show; };
+  EXPECT_EQ(shown(), Show::Lines) << "where the scene wishes nothing";
+  for (const Show next : {Show::Surface, Show::Both, Show::Lines}) {
+    tap(functionKey(6));
+    EXPECT_EQ(shown(), next);
+  }
+}
+
+TEST_F(ViewerTest, AskingForLinesOnASurfaceShowsBoth) {
+  tap(functionKey(6));
+  tap('X');
+  EXPECT_EQ(viewer_.view().drawOptions().show, Show::Both);
+  EXPECT_TRUE(viewer_.view().drawOptions().shear);
+  tap('X');
+  EXPECT_FALSE(viewer_.view().drawOptions().shear);
+  EXPECT_EQ(viewer_.view().drawOptions().show, Show::Both);
+}
+
+TEST_F(ViewerTest, ASceneIsShownAsItWishesUntilThePersonChooses) {
+  const auto shown = [this] { return viewer_.view().drawOptions().show; };
+  const auto open = [this](Show wish) {
+    Scene scene = curtain();
+    scene.look.show = wish;
+    viewer_.scenes().use(scene);
+  };
+  for (const Show wish : {Show::Both, Show::Surface, Show::Lines}) {
+    open(wish);
+    EXPECT_EQ(shown(), wish);
+  }
+  tap(functionKey(6));
+  EXPECT_EQ(shown(), Show::Surface);
+  open(Show::Both);
+  EXPECT_EQ(shown(), Show::Surface) << "remembered";
+  tap('R');
+  EXPECT_EQ(shown(), Show::Surface);
+}
+
 TEST_F(ViewerTest, FBringsALostClothBack) {
   press(kRightButton, 0, 300);
   const auto lost = [this] {

@@ -30,6 +30,7 @@ struct ViewOptions {
   std::optional<double> uiScale;
   std::optional<std::string> log, record;
   bool light = false;
+  LookOptions look;
 };
 
 OpeningOptions openingOptions(const ViewOptions& options) {
@@ -58,6 +59,7 @@ int renderWithoutWindow(const ViewOptions& options, const Scene& scene, const No
   like.size = {width, height};
   like.draw.background = options.light ? Background::Light : Background::Dark;
   like.threads = options.scene.threads.value_or(0);
+  like.show = chosenShow(options.look, scene);
   return renderInstead(scene, like);
 }
 
@@ -70,6 +72,7 @@ int sayNoWindow(const std::runtime_error& why) {
 int show(const ViewOptions& options, const Scene& scene, OpeningWindow& opening) {
   Viewer viewer(scene, Settings{.threads = options.scene.threads.value_or(0)}, wallClock);
   if (options.light) viewer.perform(InputAction::ChangeBackground);
+  if (const auto show = chosenShow(options.look, scene)) viewer.show(*show);
   bool kept = false;
   const auto keep = [&options, &kept](const EventLog& log) {
     kept = true;
@@ -102,6 +105,7 @@ int show(const ViewOptions& options, const Scene& scene, OpeningWindow& opening)
 
 int view(const ViewOptions& options) {
   const Scene scene = chosenScene(options.scene);
+  (void)chosenShow(options.look, scene);  // refuses a picture that cannot be read before a window opens
   if (options.log) checkWritable(*options.log);
   if (options.record) checkWritable(*options.record);
   std::optional<OpeningWindow> opening;
@@ -145,6 +149,7 @@ void addViewCommand(CLI::App& app, Action& action) {
       .typeName("FILE.csv");
   command.option("--record", options->record, "Write the run here, its scene, pushes and changes, for tyg run --replay")
       .typeName("FILE");
+  addLookOption(command, options->look);
   command.onChosen([&action, options] { action = [options] { return view(*options); }; });
 }
 

@@ -1,15 +1,11 @@
-// A mesh for each body is uploaded once; where the body is goes into a matrix.
+// Where a body is goes into a matrix.
 #include "gfx/passes/body_pass.h"
-
-#include <algorithm>
 
 #include "gfx/passes/sink.h"
 #include "view/body_shapes.h"
 
 namespace tyg {
 namespace {
-
-constexpr int kPerQuarter = 16;  // a ball as high as the picture then has corners of less than a pixel
 
 struct SoftEdge {
   float swell, opacity;  // pixels; 0..1
@@ -18,21 +14,13 @@ constexpr SoftEdge kSoftEdge[]{{0.4F, 0.6F}, {0.8F, 0.35F}};
 
 }  // namespace
 
-void BodyPass::renewSolids(std::span<const Body> bodies) {
-  if (std::ranges::equal(bodies, solids_, sameSolid, {}, &Solid::body)) return;
-  solids_.clear();
-  for (const Body& body : bodies) {
-    solids_.push_back({body, std::make_unique<const SolidMesh>(bodySolid(body, kPerQuarter))});
-  }
-}
-
 void BodyPass::drawSolids(std::span<const Body> bodies, float swell, float opacity) const {
   program_->set("swell", swell);
   program_->set("opacity", opacity);
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     if (bodies[k].shape == Shape::Plane) continue;
     program_->set("model", bodyModel(bodies[k]));
-    solids_[k].mesh->draw();
+    canvas_.bodies.draw(k);
   }
 }
 
@@ -40,7 +28,6 @@ void BodyPass::draw(const Frame& frame) {
   const std::span<const Body> bodies = frame.options.bodies;
   if (bodies.empty() || frame.options.over) return;
   if (!program_) program_.emplace("bodies");
-  renewSolids(bodies);
   program_->use();
   program_->set("view", frame.view);
   program_->set("projection", frame.projection);
@@ -48,6 +35,7 @@ void BodyPass::draw(const Frame& frame) {
   program_->set("focal", frame.focal);
   program_->set("sink", kSink * static_cast<float>(canvas_.sheet.spacing));
   program_->set("colour", frame.palette.body);
+  setLights(*program_, frame.lights);
   glEnable(GL_CULL_FACE), glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(kSlantedSink, 0);
   drawSolids(bodies, 0, 1);

@@ -11,6 +11,7 @@
 #include "gfx/passes/palette.h"
 #include "view/camera.h"
 #include "view/draw_options.h"
+#include "view/lamp_light.h"
 
 namespace tyg {
 
@@ -21,6 +22,7 @@ struct Frame {
   const DrawOptions& options;
   const ShownPush* push;  ///< null: no push; else on a particle of the sheet
   const Palette& palette;
+  Lights lights;
   glm::vec2 pixels;  ///< size of the picture, above 0
   glm::mat4 view, projection;
   glm::vec2 depths;  ///< of the nearest and the farthest part of the cloth along the line of sight, m
@@ -44,5 +46,8 @@ inline float meshFade(const DrawOptions& options) {
 
 /// Uses the program and sets the uniforms that lines and discs have in common.
 void useShaded(const GlProgram& program, const Frame& frame, const Shading& shading);
+
+/// For a program in use whose shader includes light.glsl.
+void setLights(const GlProgram& program, const Lights& lights);
 
 }  // namespace tyg
