@@ -79,10 +79,10 @@ click() {
   xdotool mouseup 1
   few_frames
 }
-# open_window ARGUMENTS...: a window that waits, which `window` names then.
+# open_window ARGUMENTS...: a window that waits, which `window` names then; as large as the screen, or `size`.
 open_window() {
   : >"$log"
-  "$tyg" view "$@" --size "$screen" --log "$log" &
+  "$tyg" view "$@" --size "${size:-$screen}" --log "$log" &
   viewer=$!
   until_true "it opens waiting" in_state waiting
   window=$(xdotool search --sync --onlyvisible --name '^Tyg' | head -n 1)

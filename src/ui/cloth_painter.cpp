@@ -38,14 +38,16 @@ std::optional<ShownWind> shownWind(const Viewer& viewer) {
   return ShownWind{wind, windArrowPlace(float(insets.left) / width, 1 - float(insets.right) / width)};
 }
 
-ClothPainter::ClothPainter(const Viewer& viewer)
+ClothPainter::ClothPainter(const Viewer& viewer, float scale)
     : renderer_(std::make_unique<SheetRenderer>(viewer.run().simulation().sheet())),
+      scale_(scale),
       sheet_(viewer.scenes().sheetsSoFar()) {}
 
 void ClothPainter::draw(const Viewer& viewer, Panels& panels, Extent window) {
-  if (sheet_ != viewer.scenes().sheetsSoFar()) *this = ClothPainter(viewer);
+  if (sheet_ != viewer.scenes().sheetsSoFar()) *this = ClothPainter(viewer, scale_);
   ClothPicture picture{.options = viewer.view().drawOptions()};
   picture.options.wind = shownWind(viewer);
+  picture.options.scale = scale_;
   followLook(viewer.scenes().scene(), picture.options);
   panels.paint(picture);
   placeBodies(viewer.run().simulation().scene(), viewer.run().shown().time(), bodies_);
@@ -63,6 +65,7 @@ void ClothPainter::draw(const Viewer& viewer, Panels& panels, Extent window) {
   ghost_->draw(picture.ghost, camera, pixels,
                {.pins = false,
                 .background = picture.options.background,
+                .scale = scale_,
                 .mesh = dark ? rgb(0xf4f6f8) : rgb(0x20242a),
                 .over = true,
                 .opacity = picture.ghostOpacity,

@@ -28,7 +28,7 @@ FrameLoop::FrameLoop(OpeningWindow& opening, Viewer& viewer, const std::optional
     : viewer_(viewer),
       window_(opening.window()),
       imgui_(opening.imgui()),
-      painter_(viewer),
+      painter_(viewer, imgui_.scale()),
       hud_(imgui_.fonts()),
       panels_(imgui_.fonts().size, viewer),
       capture_(std::filesystem::current_path()),
@@ -63,11 +63,14 @@ std::string FrameLoop::endMovie() {
 }
 
 void FrameLoop::takeEvents() {
+  if (window_.overlayBehind()) stale_ = std::max(stale_, 1);
   const bool hidden = shown_ == Extent{};
   const double rest = log_ ? kIdleSeconds : kAsleepSeconds;
   const double patience = viewer_.idle() || hidden ? rest : spare_;
   for (const WindowEvent& event : window_.events(stale_ > 0 || panels_.busy() || capture_.busy() ? spare_ : patience)) {
     stale_ = kFramesToSettle;
+    const bool pressed = event.kind == WindowEvent::Kind::Press;
+    if (pressed && event.key == functionKey(11)) window_.toggleFullScreen();
     (void)router_.route(event);
   }
   if (window_.framebuffer() != shown_) stale_ = kFramesToSettle;

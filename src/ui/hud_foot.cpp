@@ -17,6 +17,12 @@ constexpr float kAbove = 0.6F;      // between what is said and what is below
 /// `1/8 speed`; nothing at full speed.
 std::string speedText(double speed) { return speed < 1 ? fmt::format("  \u00b7  1/{:.0f} speed", 1 / speed) : ""; }
 
+/// Which of the two is slow, where frames come late.
+std::string_view slowText(Pace::Slow slow) {
+  if (slow == Pace::Slow::Drawing) return "  \u00b7  drawing is slow";
+  return slow == Pace::Slow::Simulating ? "  \u00b7  simulating is slow" : "";
+}
+
 Extent framebuffer() {
   const ImGuiIO& io = ImGui::GetIO();
   return {.width = static_cast<int>(io.DisplaySize.x * io.DisplayFramebufferScale.x),
@@ -118,6 +124,7 @@ float Hud::drawStatus(const Viewer& viewer) const {
     text += "- frames/s  \u00b7  - % simulating";
   }
   if (viewer.behind()) text += fmt::format("  \u00b7  {:.2g} of real time", pace.realTime);
+  if (viewer.run().state() == RunState::Running) text += slowText(pace.slow);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   TextWriter writer = writerFor(viewer);
   const float room = screen.x - 2 * size_, width = writer.extent(text).x;

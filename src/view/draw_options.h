@@ -38,9 +38,11 @@ struct DrawOptions {
   bool ground = true;
   Background background = Background::Dark;
   float lineWidth = 1.8F;           ///< pixels, > 0, where the mesh is coarse; thinner and fainter where it is dense
+  float scale = 1;                  ///< pixels to a pixel of all widths of lines and discs: more on dense screens
   std::optional<glm::vec3> mesh{};  ///< colour of the structural lines, red green blue 0..1; none: the background's own
-  bool over = false;  ///< keep what is in the framebuffer and draw the cloth into it (and no ground, wind or bodies)
-  float opacity = 1;  ///< of the spring lines, 0..1
+  bool over = false;   ///< keep what is in the framebuffer and draw the cloth into it (and no ground, wind or bodies)
+  float opacity = 1;   ///< of the spring lines, 0..1
+  float fade = 0.62F;  ///< how far the farthest part of the cloth goes towards the background's colour, 0..1
   Colouring colouring{};
   std::optional<ShownWind> wind{};
   std::span<const Body> bodies{};  ///< where they are now (see placeBodies), valid while they are drawn

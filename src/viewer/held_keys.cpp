@@ -1,6 +1,8 @@
 // Which actions last while their key is held, which repeat, and how often.
 #include "viewer/held_keys.h"
 
+#include <algorithm>
+
 namespace tyg {
 namespace {
 
@@ -17,7 +19,9 @@ bool lasts(InputAction action) { return action == LookAround || (action >= MoveF
 }  // namespace
 
 void HeldKeys::press(const Input& input, double now) {
-  if (lasts(input.action)) held_.at(static_cast<std::size_t>(input.action)) = true;
+  const auto action = static_cast<std::size_t>(input.action);
+  if (lasts(input.action)) held_.at(action) = true;
+  if (lasts(input.action)) due_.at(action) = kShortest;
   if (!repeatsItself(input.action)) return;
   repeated_ = input;
   repeatAt_ = now + kRepeatAfter;
@@ -32,12 +36,20 @@ void HeldKeys::release(KeyCode key) {
 
 void HeldKeys::releaseAll() {
   held_.fill(false);
+  due_.fill(0);
   repeated_.reset();
 }
 
 Motion HeldKeys::motion() const {
-  const auto along = [this](InputAction plus, InputAction minus) { return float(held(plus)) - float(held(minus)); };
+  const auto acts = [this](InputAction action) {
+    return held(action) || due_.at(static_cast<std::size_t>(action)) > 0 ? 1.0F : 0.0F;
+  };
+  const auto along = [&](InputAction plus, InputAction minus) { return acts(plus) - acts(minus); };
   return {.right = along(MoveRight, MoveLeft), .up = along(MoveUp, MoveDown), .forward = along(MoveForward, MoveBack)};
+}
+
+void HeldKeys::moved(double seconds) {
+  for (double& due : due_) due = std::max(0.0, due - seconds);
 }
 
 bool HeldKeys::moves() const {

@@ -68,6 +68,7 @@ constexpr std::array kInputs{
     Input{'I', ShowPins, "I", "pins"},
     Input{'U', ShowGround, "U", "ground"},
     Input{'B', ChangeBackground, "B", "light, dark"},
+    Input{functionKey(11), FullScreen, "F11", "full screen"},
 };
 
 }  // namespace

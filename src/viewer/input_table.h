@@ -23,9 +23,10 @@ enum class InputAction {
   ShowHelp, Leave,
   ChooseMethod,
   ChangeShow, ShowStructural, ShowShear, ShowBend, ShowParticles, ShowPins, ShowGround, ChangeBackground,
+  FullScreen,
 };
 // clang-format on
-inline constexpr std::size_t kInputActions = static_cast<std::size_t>(InputAction::ChangeBackground) + 1;
+inline constexpr std::size_t kInputActions = static_cast<std::size_t>(InputAction::FullScreen) + 1;
 inline constexpr bool isChoice(InputAction action) { return action >= InputAction::ChooseMethod; }
 
 /// A key or button, what it does, and both as the help says them.

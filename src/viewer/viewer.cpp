@@ -165,6 +165,7 @@ void Viewer::frame() {
   const double seconds = now - std::exchange(lastFrame_, now);
   followCloth();
   view_.move(keys_.motion(), static_cast<float>(seconds));
+  keys_.moved(seconds);
   if (keys_.repeats() && !run_.seeking()) {
     if (const auto action = keys_.due(clock_())) perform(*action);
   }

@@ -29,6 +29,7 @@ struct ViewOptions {
   std::string window = "glfw", size = "1280x720";
   std::optional<double> uiScale;
   std::optional<std::string> log, record;
+  bool light = false;
   LookOptions look;
 };
 
@@ -56,6 +57,7 @@ int renderWithoutWindow(const ViewOptions& options, const Scene& scene, const No
   const auto [width, height] = parsePair(options.size);
   RenderRequest like;
   like.size = {width, height};
+  like.draw.background = options.light ? Background::Light : Background::Dark;
   like.threads = options.scene.threads.value_or(0);
   like.show = chosenShow(options.look, scene);
   return renderInstead(scene, like);
@@ -69,6 +71,7 @@ int sayNoWindow(const std::runtime_error& why) {
 
 int show(const ViewOptions& options, const Scene& scene, OpeningWindow& opening) {
   Viewer viewer(scene, Settings{.threads = options.scene.threads.value_or(0)}, wallClock);
+  if (options.light) viewer.perform(InputAction::ChangeBackground);
   if (const auto show = chosenShow(options.look, scene)) viewer.show(*show);
   bool kept = false;
   const auto keep = [&options, &kept](const EventLog& log) {
@@ -137,8 +140,11 @@ void addViewCommand(CLI::App& app, Action& action) {
       })
       .typeName("glfw|glut");
   command.option("--size", options->size, "Pixels of the window [1280x720]").check(size).typeName("WxH");
-  command.amount("--ui-scale", options->uiScale, parseScale, "Size of the text, on top of the screen's own scale [1]")
+  command
+      .amount("--ui-scale", options->uiScale, parseScale,
+              "Size of text and lines, on top of the screen's own scale [1]")
       .typeName("X");
+  command.flag("--light", options->light, "Begin with a light background; B changes it");
   command.option("--log", options->log, "Write one CSV line a frame here, for scripts that watch the window")
       .typeName("FILE.csv");
   command.option("--record", options->record, "Write the run here, its scene, pushes and changes, for tyg run --replay")

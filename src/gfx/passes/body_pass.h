@@ -14,6 +14,8 @@ class BodyPass final : public Pass {
   void draw(const Frame& frame) override;
 
  private:
+  void drawSolids(std::span<const Body> bodies, float swell, float opacity) const;
+
   const Canvas& canvas_;
   std::optional<GlProgram> program_;  // made when a body is first shown
 };

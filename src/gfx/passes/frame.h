@@ -2,6 +2,7 @@
 // Must not know: which passes there are, who owns the OpenGL objects.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include <glm/glm.hpp>
@@ -39,7 +40,9 @@ struct Shading {
   float spacing = 0;  ///< m between neighbours of one kind, which makes dense ones smaller; 0: always full size
 };
 /// The fade of what belongs to the mesh: less before bodies, from which all of it has to be told.
-inline float meshFade(const DrawOptions& options) { return options.bodies.empty() ? 0.62F : 0.3F; }
+inline float meshFade(const DrawOptions& options) {
+  return options.bodies.empty() ? options.fade : std::min(options.fade, 0.3F);
+}
 
 /// Uses the program and sets the uniforms that lines and discs have in common.
 void useShaded(const GlProgram& program, const Frame& frame, const Shading& shading);

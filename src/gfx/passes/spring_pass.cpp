@@ -1,8 +1,6 @@
 // Bend springs lie along structural ones, so they are drawn beside them, and the structural mesh is drawn last.
 #include "gfx/passes/spring_pass.h"
 
-#include <algorithm>
-
 #include "view/sheet_lines.h"
 
 namespace tyg {
@@ -25,7 +23,7 @@ void SpringPass::draw(const Frame& frame) {
                               .spacing = static_cast<float>(canvas_.sheet.spacing)},
                   .width = kThinner * options.lineWidth,
                   .opacity = onCloth ? kOnCloth * options.opacity : options.opacity,
-                  .sideBySide = std::min(canvas_.sheet.columns, canvas_.sheet.rows),
+                  .sheet = &canvas_.sheet,
                   .colours = {.by = coloured ? &options.colouring : nullptr, .values = valueTexture_.name()}};
   if (options.bend) {
     style.shading.colour = frame.palette.bend, style.sideways = kBesideStructural;
