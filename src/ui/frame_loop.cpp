@@ -69,15 +69,25 @@ void FrameLoop::takeEvents() {
   for (const WindowEvent& event : window_.events(stale_ > 0 || panels_.busy() || capture_.busy() ? spare_ : patience)) {
     stale_ = kFramesToSettle;
     (void)router_.route(event);
+    for (const WindowEvent& key : hud_.takeKeys()) (void)router_.route(key);
   }
   if (window_.framebuffer() != shown_) stale_ = kFramesToSettle;
 }
 
-/// Where an edge has panels, they are there instead of the keys.
+/// Where the left edge has panels, they are there instead of the keys. In a wide window the right is left free like the
+/// left with the keys, so that the cloth is in the middle.
 Insets FrameLoop::insets() const {
-  const int keys = viewer_.view().showsHelp() ? hud_.keysWidth(window_.framebuffer()) : 0;
-  const auto at = [&](Edge edge) { return panels_.width(edge) > 0 ? static_cast<int>(panels_.width(edge)) : keys; };
-  return {.left = at(Edge::Left), .right = at(Edge::Right), .beside = panels_.beside()};
+  const Extent window = window_.framebuffer();
+  const int keys = viewer_.view().showsHelp() ? hud_.keysWidth(window) : 0;
+  const auto left = static_cast<int>(panels_.width(Edge::Left)), right = static_cast<int>(panels_.width(Edge::Right));
+  const bool wide = left == 0 && 2 * (keys + keys) <= window.width;
+  return {.left = left > 0 ? left : keys,
+          .right = right > 0 ? right
+                   : wide    ? keys
+                             : 0,
+          .top = hud_.above(),
+          .bottom = hud_.below(viewer_),
+          .beside = panels_.beside()};
 }
 
 void FrameLoop::show() {

@@ -42,28 +42,25 @@ std::vector<Buttons::Button> waysOut(const Viewer& viewer) {
 
 /// Where text in the middle of the window goes: between the panels, or over them where that is too narrow.
 struct Hud::Middle {
-  float from = 0, to = 0;     ///< across the window
-  float left = 0, right = 0;  ///< between the keys
-  bool free = false;          ///< of panels
-  float top = 0;              ///< above what has been said so far
-  float sides = 0;            ///< above what of it reaches over the keys
+  float from = 0, to = 0;  ///< across the window
+  float keys = 0;          ///< to the right of the keys
+  bool free = false;       ///< of panels
+  float top = 0;           ///< above what has been said so far
+  float sides = 0;         ///< above what of it reaches over the keys
 };
 
-/// `keys`: the width that they take where there are no panels.
+/// `keys`: the width that they take at the left where there are no panels.
 Hud::Middle Hud::middleBetween(const Panels& panels, float keys, float bottom) const {
   const float screen = ImGui::GetIO().DisplaySize.x;
-  const auto side = [&](Edge edge) { return panels.width(edge) > 0 ? panels.width(edge) : keys; };
-  const float left = side(Edge::Left), right = screen - side(Edge::Right);
+  const float left = panels.width(Edge::Left), right = screen - panels.width(Edge::Right);
   const bool free = right - left >= kLeastMiddle * size_;
-  const auto keysAt = [&](Edge edge) { return panels.width(edge) > 0 ? 0 : keys; };
-  return {free ? left : 0, free ? right : screen, keysAt(Edge::Left), screen - keysAt(Edge::Right), free, bottom,
-          bottom};
+  return {free ? left : 0, free ? right : screen, left > 0 ? 0 : keys, free, bottom, bottom};
 }
 
 /// Over the panels where there is no room between them.
 TextWriter Hud::writerIn(const Viewer& viewer, const Middle& middle) const {
   TextWriter writer = writerFor(viewer);
-  if (!middle.free) writer.list = ImGui::GetForegroundDrawList();
+  if (!middle.free && !viewer.view().showsAllKeys()) writer.list = ImGui::GetForegroundDrawList();
   return writer;
 }
 
@@ -80,7 +77,13 @@ void Hud::sayInMiddle(const TextWriter& writer, ImU32 colour, std::string_view t
   ground(writer, at, {at.x + extent.x, at.y + extent.y}, middle);
   writer.write(at, colour, text, wrap);
   middle.top = at.y - 0.3F * writer.size;
-  if (at.x < middle.left || at.x + extent.x > middle.right) middle.sides = middle.top;
+  if (at.x < middle.keys) middle.sides = middle.top;
+}
+
+int Hud::below(const Viewer& viewer) const {
+  constexpr float kSaid = 2.2F;  // a line in the large font
+  const bool frozen = viewer.run().state() == RunState::Frozen;
+  return static_cast<int>(frozen && failure_ > 0 ? failure_ : (kFoot - kTimeLine + kSaid) * size_);
 }
 
 /// Returns the height down to which keys may be written: what is said in the middle does not cover them.

@@ -12,7 +12,7 @@ constexpr double kRepeatAfter = 0.35, kRepeatEvery = 0.05;
 bool repeatsItself(InputAction action) {
   return action == StepBack || action == Step || action == SmallerStep || action == LargerStep;
 }
-bool lasts(InputAction action) { return action == LookAround || (action >= MoveForward && action <= MoveUp); }
+bool lasts(InputAction action) { return action == LookAround || (action >= MoveForward && action <= LookDown); }
 
 }  // namespace
 
@@ -37,12 +37,15 @@ void HeldKeys::releaseAll() {
 
 Motion HeldKeys::motion() const {
   const auto along = [this](InputAction plus, InputAction minus) { return float(held(plus)) - float(held(minus)); };
-  return {.right = along(MoveRight, MoveLeft), .up = along(MoveUp, MoveDown), .forward = along(MoveForward, MoveBack)};
+  return {.right = along(MoveRight, MoveLeft),
+          .up = along(MoveUp, MoveDown),
+          .forward = along(MoveForward, MoveBack),
+          .lookRight = along(LookRight, LookLeft),
+          .lookUp = along(LookUp, LookDown)};
 }
 
 bool HeldKeys::moves() const {
-  const Motion way = motion();
-  return way.right != 0 || way.up != 0 || way.forward != 0;
+  return motion() != Motion{};
 }
 
 std::optional<InputAction> HeldKeys::due(double now) {

@@ -64,7 +64,10 @@ bool Panels::handle(const WindowEvent& event, Viewer& viewer) {
     return true;
   }
   const Input* input = findInput(event.key);
-  if (input == nullptr || slotOf(input->action) == slots_.size()) return false;
+  if (input == nullptr) return false;
+  if (input->action == InputAction::Undo) return edits_.undo(viewer), true;
+  if (input->action == InputAction::Redo) return edits_.redo(viewer), true;
+  if (slotOf(input->action) == slots_.size()) return false;
   toggle(input->action);
   return true;
 }
