@@ -38,6 +38,14 @@ std::optional<ShownWind> shownWind(const Viewer& viewer) {
   return ShownWind{wind, windArrowPlace(float(insets.left) / width, 1 - float(insets.right) / width)};
 }
 
+/// What a hand holds is not drawn as a pin: the text over the picture draws a ring around it.
+const Sheet& ClothPainter::withoutHeld(const ShownState& shown) {
+  if (shown.held().empty()) return shown.sheet();
+  sheetWithoutHeld_ = shown.sheet();
+  std::erase_if(sheetWithoutHeld_.pins, [&](int pin) { return std::ranges::binary_search(shown.held(), pin); });
+  return sheetWithoutHeld_;
+}
+
 ClothPainter::ClothPainter(const Viewer& viewer)
     : renderer_(std::make_unique<SheetRenderer>(viewer.run().simulation().sheet())),
       sheet_(viewer.scenes().sheetsSoFar()) {}
@@ -53,7 +61,7 @@ void ClothPainter::draw(const Viewer& viewer, Panels& panels, Extent window) {
   const glm::ivec2 pixels{window.width, window.height};
   const Camera& camera = viewer.view().camera();
   const std::span<const float> positions = viewer.run().shown().positions();
-  renderer_->follow(viewer.run().shown().sheet());
+  renderer_->follow(withoutHeld(viewer.run().shown()));
   renderer_->draw(positions, camera, pixels, picture.options, viewer.tools().drawing().arrow);
   if (picture.ghost.size() != positions.size() || picture.ghostSheet == nullptr) return;
   if (!ghost_) ghost_ = std::make_unique<SheetRenderer>(*picture.ghostSheet);

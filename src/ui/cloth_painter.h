@@ -23,9 +23,12 @@ class ClothPainter {
   void draw(const Viewer& viewer, Panels& panels, Extent window);
 
  private:
+  const Sheet& withoutHeld(const ShownState& shown);
+
   std::unique_ptr<SheetRenderer> renderer_;
   std::unique_ptr<SheetRenderer> ghost_;  ///< its springs may differ; null until one is shown
-  std::vector<Body> bodies_;              ///< as shown
+  Sheet sheetWithoutHeld_;
+  std::vector<Body> bodies_;  ///< as shown
   int sheet_;                             ///< of SceneControl::sheetsSoFar(), the one that the renderer is for
 };
 

@@ -6,6 +6,7 @@
 #include <exception>
 #include <filesystem>
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include "util/calibration_clock.h"
@@ -24,8 +25,10 @@ constexpr double kShortestFrame = 1.0 / 250;
 
 }  // namespace
 
-FrameLoop::FrameLoop(OpeningWindow& opening, Viewer& viewer, const std::optional<std::string>& log)
+FrameLoop::FrameLoop(OpeningWindow& opening, Viewer& viewer, WindowMemory& memory,
+                     const std::optional<std::string>& log)
     : viewer_(viewer),
+      memory_(memory),
       window_(opening.window()),
       imgui_(opening.imgui()),
       painter_(viewer),
@@ -37,7 +40,23 @@ FrameLoop::FrameLoop(OpeningWindow& opening, Viewer& viewer, const std::optional
       log_(log ? std::make_unique<ViewLog>(*log) : nullptr),
       title_(windowTitle(viewer.scenes().scene())),
       opened_(wallClock()),
-      stale_(kFramesToSettle) {}
+      stale_(kFramesToSettle) {
+  recall();
+}
+
+void FrameLoop::recall() {
+  if (const auto ground = memory_.find("background")) {
+    if (*ground != "light" && *ground != "dark") memory_.refuse("background");
+    if (*ground == "light") viewer_.perform(InputAction::ChangeBackground);
+  }
+  if (!memory_.trouble().empty()) viewer_.notes().warn(memory_.trouble());
+}
+
+void FrameLoop::remember() {
+  memory_.keep("background", viewer_.view().drawOptions().background == Background::Light ? "light" : "dark");
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  if (size.x >= 1 && size.y >= 1) memory_.keep("size", fmt::format("{:.0f}x{:.0f}", size.x, size.y));
+}
 
 std::string FrameLoop::run() {
   while (!window_.closeRequested() && !viewer_.leaving() && !interrupted()) {
@@ -51,6 +70,7 @@ std::string FrameLoop::run() {
     writeLog();
     spare_ = std::max(0.0, kShortestFrame - (wallClock() - began));
   }
+  remember();
   return endMovie();
 }
 

@@ -11,6 +11,7 @@
 #include "tyg/methods.h"
 #include "ui/cloth_painter.h"
 #include "util/visible_text.h"
+#include "view/picking.h"
 
 namespace tyg {
 
@@ -130,6 +131,12 @@ void Hud::drawTools(const Viewer& viewer, float from) {
   tools_.draw(writerFor(viewer), {from + 1.5F * size_, screenSize().x - size_}, viewer);
   const ToolDrawing drawing = viewer.tools().drawing();
   if (drawing.cut) drawCutLine(writerFor(viewer), *drawing.cut);
+  const std::span<const float> xyz = viewer.run().shown().positions();
+  const Extent pixels = viewer.view().pixels();
+  for (const int particle : viewer.run().shown().held()) {
+    const float* p = &xyz[3 * static_cast<std::size_t>(particle)];
+    drawHold(writerFor(viewer), placeInWindow(viewer.view().camera(), {p[0], p[1], p[2]}, {pixels.width, pixels.height}));
+  }
 }
 
 /// Its speed, below its arrow.

@@ -18,11 +18,12 @@ class Playback {
     clock_.setSpeed(std::clamp(clock_.speed() * factor, kSlowest, 1.0));
     speedBefore_ = clock_.speed();
   }
-  /// From now on the past is shown again, slowly.
-  void beginReplay() {
+  static constexpr double kSlowly = 0.125;
+  /// From now on the past is shown again, no faster than this.
+  void beginReplay(double speed = kSlowly) {
     replaying_ = true;
     speedBefore_ = clock_.speed();
-    clock_.setSpeed(std::min(speedBefore_, kReplaySpeed));
+    clock_.setSpeed(std::min(speedBefore_, speed));
   }
   /// Does nothing where there is no replay.
   void endReplay() {
@@ -34,7 +35,7 @@ class Playback {
   [[nodiscard]] const FrameClock& clock() const { return clock_; }
 
  private:
-  static constexpr double kReplaySpeed = 0.125, kSlowest = 1.0 / 64;
+  static constexpr double kSlowest = 1.0 / 64;
   FrameClock clock_;
   bool replaying_ = false;
   double speedBefore_ = 1;  ///< that a replay goes back to

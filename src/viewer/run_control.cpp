@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "study/limits/fast_contact.h"
+#include "tyg/methods.h"
 
 namespace tyg {
 namespace {
@@ -139,6 +140,18 @@ void RunControl::startOver(Simulation fresh) {
   isFastContactNoted_ = false;
   notes_.warn(trouble);
   showStart();
+}
+
+void RunControl::startOver(Simulation fresh, EventLog log) {
+  for (const Event& event : log.events) {
+    if (const auto* change = std::get_if<MethodEvent>(&event.action)) (void)findMethod(change->method);
+  }
+  startOver(std::move(fresh));
+  history_.recall(simulation_, std::move(log));
+  if (!history_.past()) return;
+  playback_.beginReplay(1);
+  state_ = RunState::Running;
+  playback_.clock().restart();
 }
 
 void RunControl::showStart() {

@@ -57,6 +57,9 @@ class RunControl {
   bool turnBeforeFailure(std::function<void()> then);
   /// Ends the run and waits at the start of another simulation.
   void startOver(Simulation fresh);
+  /// The same with a run of it that a log tells of, which is then played up to its end. Throws InputError where the two
+  /// do not fit together.
+  void startOver(Simulation fresh, EventLog log);
   /// Freezes and shows the text: for what is thrown by those who draw and log.
   void freeze(std::string message);
 

@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "core/simulation/live_parameters.h"
+#include "core/simulation/replay.h"
 #include "tyg/methods.h"
+#include "util/whole_file.h"
 
 namespace tyg {
 namespace {
@@ -34,6 +36,28 @@ SceneChange SceneControl::use(const Scene& scene) {
     return SceneChange::None;
   }
   return change;
+}
+
+void SceneControl::open(const std::string& path) {
+  if (run_.seeking()) return;
+  std::string text = readWholeFile(path, "cannot read", "a scene (.toml) or a log (.csv)");
+  if (text.starts_with("# ") && text.find("\ntick,event") != std::string::npos) return play(parseEventLog(text, path));
+  begin(parseScene(text, path, methodNames()), true);
+}
+
+void SceneControl::play(EventLog log) {
+  Scene scene = loggedScene(log, methodNames());
+  scene.integrator = findMethod(log.integrator).name;
+  scene.dt = log.dt, scene.precision = log.precision;
+  if (scene.columns != log.columns || scene.rows != log.rows) {
+    throw InputError(fmt::format("found a log of {} x {} particles, allowed: {} x {}, as its scene '{}' has", log.columns,
+                                 log.rows, scene.columns, scene.rows, scene.name));
+  }
+  Simulation fresh(scene, findMethod(scene.integrator), settings_);
+  scene_ = scene;
+  method_ = &findMethod(scene.integrator);
+  ++sheetsSoFar_, ++runsSoFar_;
+  run_.startOver(std::move(fresh), std::move(log));
 }
 
 /// Another method, step or other live parameters.

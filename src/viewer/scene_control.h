@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 #include "viewer/run_control.h"
 #include "viewer/scene_change.h"
@@ -20,6 +21,8 @@ class SceneControl {
   /// Goes on with this scene: at once where the running simulation can, else from the start. Changes nothing and warns
   /// where the scene does not fit together. Returns what it took.
   SceneChange use(const Scene& scene);
+  /// Opens a scene or the log of a run, which is then played. Throws InputError where it is neither, or cannot be used.
+  void open(const std::string& path);
   /// By its slot in methods(); does nothing beyond the last one.
   void chooseMethod(std::size_t slot);
   /// By a twentieth.
@@ -53,6 +56,7 @@ class SceneControl {
   void useMethod(const Method& method);
   void useStep(double dt);
   void begin(const Scene& scene, bool newSheet);
+  void play(EventLog log);
   void cureWith(const Scene& wanted);
 
   RunControl& run_;

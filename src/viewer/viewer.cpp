@@ -70,8 +70,10 @@ void Viewer::dispatch(const WindowEvent& event) {
       leftDrag_ = LeftDrag::Tool;
       tools_.letGo();
       return keys_.releaseAll();
-    case WindowEvent::Kind::Exposed:
     case WindowEvent::Kind::Drop:
+      notes_.clear();
+      return scenes_.open(event.path);
+    case WindowEvent::Kind::Exposed:
       return;
   }
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace tyg {
 namespace {
@@ -30,6 +31,26 @@ std::size_t slotOf(InputAction action) {
 bool clicked() {
   const ImVec2 way = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left);
   return ImGui::IsMouseReleased(ImGuiMouseButton_Left) && way.x == 0 && way.y == 0;
+}
+
+/// From here on all that ImGui writes goes to the clipboard too; first what the foot of the window says.
+void beginCopy(const Viewer& viewer) {
+  StepText step;
+  MarginText margin;
+  viewer.scenes().describeStep(step);
+  describe(viewer.run().margin(), margin);
+  ImGui::LogToClipboard();
+  ImGui::LogText("%s, %s, t = %.6g s\n%s\n", std::string(viewer.scenes().method().name).c_str(), step.data(),
+                 viewer.run().shown().time(), margin.data());
+  const std::string& failure = viewer.run().failure().message();
+  if (!failure.empty()) ImGui::LogText("%s\n", failure.c_str());
+}
+
+void endCopy(Viewer& viewer) {
+  ImGui::LogFinish();
+  const bool leavesTheWindow = ImGui::GetIO().ClipboardUserData != nullptr;  // freeglut has no clipboard
+  viewer.notes().say(leavesTheWindow ? "What the window's foot and the open panels say is copied."
+                                     : "Copied, but only for fields of this window: freeglut has no clipboard.");
 }
 
 }  // namespace
@@ -67,6 +88,7 @@ bool Panels::handle(const WindowEvent& event, Viewer& viewer) {
   if (input == nullptr) return false;
   if (input->action == InputAction::Undo) return edits_.undo(viewer), true;
   if (input->action == InputAction::Redo) return edits_.redo(viewer), true;
+  if (input->action == InputAction::Copy) return copyAsked_ = true;
   if (slotOf(input->action) == slots_.size()) return false;
   toggle(input->action);
   return true;
@@ -78,6 +100,8 @@ void Panels::handleControl(const WindowEvent& event, Viewer& viewer) {
     edits_.redo(viewer);
   } else if (event.key == 'Z') {
     edits_.undo(viewer);
+  } else if (event.key == 'C') {
+    copyAsked_ = true;
   }
 }
 
@@ -152,9 +176,12 @@ bool Panels::busy() const {
 void Panels::draw(Viewer& viewer) {
   watchMouse();
   arrange(Edge::Left), arrange(Edge::Right);
+  const bool copies = std::exchange(copyAsked_, false);
+  if (copies) beginCopy(viewer);
   for (std::size_t which = 0; which < slots_.size(); ++which) {
     if (slots_[which].open) drawOne(which, viewer);
   }
+  if (copies) endCopy(viewer);
 }
 
 void Panels::watchMouse() {
