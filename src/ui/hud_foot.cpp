@@ -33,7 +33,7 @@ std::vector<Buttons::Button> waysOut(const Viewer& viewer) {
     buttons.push_back({"J", "see it again, slowly", InputAction::Again});
     if (canRunOn) buttons.push_back({"Enter", "run on, let it break", InputAction::RunOn});
   }
-  buttons.push_back({",", "a step back", InputAction::StepBack});
+  buttons.push_back({",", "step back", InputAction::StepBack});
   buttons.push_back({"R", "restart", InputAction::Restart});
   return buttons;
 }
@@ -165,13 +165,13 @@ std::string Hud::promptText(const Viewer& viewer) const {
   const RunControl& run = viewer.run();
   const Timeline time = run.timeline();
   if (!viewer.notes().text().empty()) return viewer.notes().text();
-  if (run.state() == RunState::Waiting) return "space to start";
+  if (run.state() == RunState::Waiting) return "space, a click or a drag starts it";
   if (run.state() == RunState::Paused && time.past) {
     return fmt::format("{:.2f} s back  \u00b7  space goes on from here", time.newest - time.shown);
   }
   if (run.state() == RunState::Paused) return "paused  \u00b7  space goes on";
-  if (run.asleep()) return "asleep: nothing moves  \u00b7  a push wakes it";
-  if (run.failure().runsOn()) return "past its alarm: V takes a safe step, M a method that holds, R restarts";
+  if (run.asleep()) return "at rest  \u00b7  click the cloth to push it";
+  if (run.failure().runsOn()) return "unstable: V takes a safe step, M a method that holds, R restarts";
   return hint_;
 }
 

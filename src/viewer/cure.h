@@ -23,6 +23,9 @@ struct Cure {
 };
 /// 0.9 of the limit, s; 0 where there is none.
 double safeStep(double limit);
+/// Where the step of a scene is at its method's limit at rest or beyond, takes a safe one, and returns a sentence that
+/// says so; else changes nothing and returns none.
+std::string takeStepThatHolds(Scene& scene);
 /// `limit`, s: of the present method; NaN, infinite or not below the step where it does not explain a failure.
 Cure findCure(const Simulation& simulation, double limit);
 

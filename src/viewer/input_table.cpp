@@ -15,8 +15,8 @@ using enum InputAction;
 /// All but the keys that choose tools, which are made from the table of tools.
 constexpr std::array kInputs{
     Input{' ', StartOrPause, "space", "start, pause", true},
-    Input{',', StepBack, ",", "one step back, on"},
-    Input{'.', Step, ".", "one step back, on"},
+    Input{',', StepBack, ",", "step back, step forward"},
+    Input{'.', Step, ".", "step back, step forward"},
     Input{';', Slower, ";", "slower, faster"},
     Input{'\'', Faster, "'", "slower, faster"},
     Input{'J', Again, "J", "again, slowly"},

@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kMostShare = 0.05;  // of the time, for the live limit
 constexpr double kStretched = 0.99;  // of the limit at rest: below that the cloth's stretch is told
-constexpr double kSmoothing = 0.1;   // of the cost, from one measurement to the next
 
 }  // namespace
 
@@ -32,15 +31,18 @@ void describe(const Margin& margin, MarginText& text) {
   if (margin.adaptive && !std::isfinite(margin.limit)) return say("chooses its own steps");
   // Measured: 0.5 to 1.8 % above the limit of fixed steps, wherever the tolerance holds.
   if (margin.adaptive) return say("chooses its own steps: on average about {:.3g} ms at most", 1e3 * margin.limit);
-  if (!std::isfinite(margin.limit)) return say("no step is too large for it");
-  if (margin.limit == 0) return say("no step holds: it needs damping");
+  if (!std::isfinite(margin.limit)) return say("stable at any step");
+  if (margin.limit == 0) return say("stable at no step: it needs damping");
   std::array<char, 32> rest{};
   if (margin.limit < kStretched * margin.rest) {
-    fmt::format_to_n(rest.data(), rest.size() - 1, " ({:.3g} ms at rest)", 1e3 * margin.rest);
+    fmt::format_to_n(rest.data(), rest.size() - 1, ", at rest {:.3g} ms", 1e3 * margin.rest);
   }
-  constexpr std::array kWarnings{"", "", ": close, a little more breaks it", ": PAST IT, the cloth will break"};
-  say("{:.2f} of the limit of {:.3g} ms{}{}", margin.share(), 1e3 * margin.limit, rest.data(),
-      kWarnings.at(static_cast<std::size_t>(margin.band())));
+  if (margin.band() == MarginBand::Past) {
+    return say("{:.3g} times the largest stable step ({:.3g} ms{}): unstable", margin.share(), 1e3 * margin.limit,
+               rest.data());
+  }
+  say("step is {:.0f} % of the largest stable one ({:.3g} ms{}){}", 100 * margin.share(), 1e3 * margin.limit, rest.data(),
+      margin.band() == MarginBand::Close ? ": close to unstable" : "");
 }
 
 void MarginWatch::follow(const Scene& scene, const Method& method, double step) {
@@ -69,13 +71,8 @@ void MarginWatch::measureLive(Simulation& simulation, const Clock& clock) {
   const double began = clock();
   if (measuredAt_ >= 0 && began < nextMeasured_) return;
   live_ = simulation.liveStableStep();
-  const double took = clock() - began;
-  nextMeasured_ = began + took / kMostShare;
-  if (measuredAt_ >= 0 && began > lastMeasured_) {
-    margin_.cost += kSmoothing * (std::min(1.0, took / (began - lastMeasured_)) - margin_.cost);
-  }
+  nextMeasured_ = began + (clock() - began) / kMostShare;
   measuredAt_ = simulation.ticks();
-  lastMeasured_ = began;
 }
 
 }  // namespace tyg

@@ -79,7 +79,7 @@ void Viewer::dispatch(const WindowEvent& event) {
 }
 
 void Viewer::press(const Input& input, const WindowEvent& event) {
-  notes_.clear();
+  notes_.clear(clock_());
   if (isMouse(input.key)) cursor_ = {event.x, event.y};
   keys_.press(input, clock_());
   if (input.action == UseTool) return pressLeft(event);

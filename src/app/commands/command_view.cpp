@@ -17,6 +17,7 @@
 #include "util/interrupt.h"
 #include "util/sudden_end.h"
 #include "util/whole_file.h"
+#include "viewer/cure.h"
 #include "viewer/viewer.h"
 #include "viewer/window_memory.h"
 
@@ -80,8 +81,10 @@ int sayNoWindow(const std::runtime_error& why) {
   return kSimulationFailed;
 }
 
-int show(const ViewOptions& options, const Scene& scene, OpeningWindow& opening, WindowMemory& memory) {
+int show(const ViewOptions& options, const Scene& scene, const std::string& said, OpeningWindow& opening,
+         WindowMemory& memory) {
   Viewer viewer(scene, Settings{.threads = options.scene.threads.value_or(0)}, wallClock);
+  if (!said.empty()) viewer.notes().warn(said);
   bool kept = false;
   const auto keep = [&options, &kept](const EventLog& log) {
     kept = true;
@@ -113,7 +116,9 @@ int show(const ViewOptions& options, const Scene& scene, OpeningWindow& opening,
 }
 
 int view(const ViewOptions& options) {
-  const Scene scene = chosenScene(options.scene);
+  Scene scene = chosenScene(options.scene);
+  // A scene's own step is for its own sheet. One that was asked for is taken, and the window tells its limit.
+  const std::string said = options.scene.sheet && !options.scene.dt ? takeStepThatHolds(scene) : "";
   if (options.log) checkWritable(*options.log);
   if (options.record) checkWritable(*options.record);
   WindowMemory memory(options.log ? std::nullopt : windowMemoryFile());
@@ -125,7 +130,7 @@ int view(const ViewOptions& options) {
   } catch (const WindowError& error) {
     return sayNoWindow(error);
   }
-  return show(options, scene, *opening, memory);
+  return show(options, scene, said, *opening, memory);
 }
 
 double parseScale(const std::string& text) {

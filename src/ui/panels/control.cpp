@@ -18,6 +18,7 @@
 #include "core/scene/bodies.h"
 #include "core/scene/same_sides.h"
 #include "tyg/methods.h"
+#include "viewer/cure.h"
 #include "viewer/edits.h"
 #include "viewer/push.h"
 #include "viewer/viewer.h"
@@ -66,11 +67,11 @@ class ControlPanel final : public Panel {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {usual.x, kTight * usual.y});
     drawScene(scope, wanted);
     drawEdits(scope, wanted);
-    heading("Motion", "changes at once");
+    heading("Motion", "(live)");
     drawStepping(scope, wanted);
     drawSprings(scope, wanted);
     drawWorld(scope, wanted);
-    heading("Sheet", "a change starts it anew");
+    heading("Sheet", "(restarts)");
     drawSheet(scope, wanted);
     ImGui::PopStyleVar();
     holdTolerance(wanted);
@@ -122,12 +123,12 @@ class ControlPanel final : public Panel {
       tip(scope, aboutMethod(findMethod(wanted.integrator)));
     }
     const bool adaptive = findMethod(wanted.integrator).adaptive;
-    name(adaptive ? "tick" : "step", scope.size);
+    name(adaptive ? "interval" : "step", scope.size);
     if (slider("##step", wanted.dt, 1e3, {kShortestMs, kLongestMs}, "%.4g ms")) {
       wanted.dt = std::clamp(wanted.dt, kShortestMs * 1e-3, kLongestMs * 1e-3);
     }
-    tip(scope, (adaptive ? "Time goes on in ticks. Within a tick " + wanted.integrator +
-                               " chooses its\nown steps, as small as the tolerance asks."
+    tip(scope, (adaptive ? "The output interval: within it " + wanted.integrator +
+                               " chooses\nits own steps, as small as the tolerance asks."
                          : "The time from one state to the next: a larger step\nis faster and less accurate.") +
                    kTyped);
     drawStepMargin(scope);
@@ -167,7 +168,11 @@ class ControlPanel final : public Panel {
                           : band == MarginBand::Close ? colours.warning
                                                       : colours.past;
     const ImVec4 ink = ImGui::ColorConvertU32ToFloat4(colour);
-    ImGui::TextColored(ink, "%.2f of the limit of %.3g ms", margin.share(), 1e3 * margin.limit);
+    if (band == MarginBand::Past) {
+      ImGui::TextColored(ink, "%.3g times the limit, %.3g ms", margin.share(), 1e3 * margin.limit);
+    } else {
+      ImGui::TextColored(ink, "%.0f %% of the limit, %.3g ms", 100 * margin.share(), 1e3 * margin.limit);
+    }
   }
 
   static void drawTolerance(const PanelScope& scope, Scene& wanted) {
@@ -220,8 +225,12 @@ class ControlPanel final : public Panel {
     }
     try {
       const Grid grid = withBothSides(wanted, {size_[0], size_[1]});
-      const Scene resized = withSheet(wanted, grid.columns, grid.rows);
+      Scene resized = withSheet(wanted, grid.columns, grid.rows);
       refuseUnfitBodies(resized);
+      if (const std::string said = takeStepThatHolds(resized); !said.empty()) {
+        if (!clamped_.empty()) clamped_ += "; ";
+        clamped_ += said;
+      }
       wanted = resized;
     } catch (const InputError& error) {
       viewer.notes().warn(error.what());
@@ -342,7 +351,8 @@ class ControlPanel final : public Panel {
 
   static void save(Viewer& viewer) {
     try {
-      viewer.notes().say(saveScene(viewer).string() + " is kept.");
+      const std::filesystem::path file = std::filesystem::absolute(saveScene(viewer));
+      viewer.notes().say("saved to " + file.string(), viewer.run().now() + Notes::kFiles);
     } catch (const std::exception& error) {
       viewer.notes().warn(error.what());
     }
