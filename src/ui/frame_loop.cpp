@@ -62,7 +62,9 @@ std::string FrameLoop::run() {
   while (!window_.closeRequested() && !viewer_.leaving() && !interrupted()) {
     const double began = wallClock();
     takeEvents();
-    viewer_.resize(window_.framebuffer(), insets());
+    const Insets taken = insets();
+    if (taken != viewer_.view().insets()) stale_ = kFramesToSettle;
+    viewer_.resize(window_.framebuffer(), taken);
     const bool moving = !viewer_.idle() || panels_.busy() || capture_.busy();
     viewer_.frame();
     panels_.follow(viewer_);

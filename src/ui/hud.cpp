@@ -28,6 +28,8 @@ constexpr float kLineRatio = 1.35F;
 /// Sizes of the text from the window's upper edge to the left keys: the title is there.
 constexpr float kAbove = 1 + 1.5F * kLineRatio;
 constexpr float kLeastFit = 0.55F;
+/// Lines of text that a window has room for at least: in a low one large text is smaller.
+constexpr float kFewestLines = 20;
 /// Of the window's width, for the keys on each side.
 constexpr float kKeysShare = 0.26F;
 ImVec2 extentOf(ImFont* font, float size, std::string_view text, float wrap = 0) {
@@ -111,6 +113,7 @@ bool Hud::pressAllKeys(const WindowEvent& event, Viewer& viewer) {
 }
 
 void Hud::draw(const Viewer& viewer, Panels& panels) {
+  size_ = std::min(fonts_.size, std::max(1.0F, screenSize().y / kFewestLines));
   const Colours& colours = coloursOn(viewer.view().drawOptions().background);
   const TextWriter writer = writerFor(viewer);
   const std::string title = oneLine(viewer.run().simulation().scene().title);

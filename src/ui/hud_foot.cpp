@@ -13,6 +13,8 @@ namespace {
 
 constexpr float kLeastMiddle = 30;  // to write in between the panels
 constexpr float kAbove = 0.6F;      // between what is said and what is below
+constexpr float kFailureShare = 0.3F;  // of the window's height, for what is said of a failure: else it is said smaller
+constexpr float kSmallest = 0.65F;     // but not smaller than this share of the text
 
 /// `1/8 speed`; nothing at full speed.
 std::string speedText(double speed) { return speed < 1 ? fmt::format("  \u00b7  1/{:.0f} speed", 1 / speed) : ""; }
@@ -21,6 +23,11 @@ Extent framebuffer() {
   const ImGuiIO& io = ImGui::GetIO();
   return {.width = static_cast<int>(io.DisplaySize.x * io.DisplayFramebufferScale.x),
           .height = static_cast<int>(io.DisplaySize.y * io.DisplayFramebufferScale.y)};
+}
+
+/// It was let run on, and a moment after the alarm is shown.
+bool isBreaking(const RunControl& run) {
+  return run.failure().runsOn() && run.shown().time() >= run.failure().alarmTime();
 }
 
 std::vector<Buttons::Button> waysOut(const Viewer& viewer) {
@@ -146,18 +153,25 @@ float Hud::drawTimeLine(const Viewer& viewer, float bottom) {
 }
 
 void Hud::drawFailure(const Viewer& viewer, Middle& middle) {
-  const TextWriter writer = writerIn(viewer, middle);
+  TextWriter writer = writerIn(viewer, middle);
   const float bottom = middle.top - kAbove * size_;
   const std::vector<Buttons::Button> buttons = waysOut(viewer);
   const float room = middle.to - middle.from - 4 * size_;
-  const ImVec2 extent = writer.extent(viewer.run().failure().message(), room);
-  const float row = Buttons::height(writer, buttons, room);
+  ImVec2 extent;
+  float row = 0;
+  for (float share = 1; share >= kSmallest; share -= 0.05F) {  // the cloth is to be seen above
+    writer.size = share * size_;
+    extent = writer.extent(viewer.run().failure().message(), room);
+    row = Buttons::height(writer, buttons, room);
+    if (extent.y + row <= kFailureShare * ImGui::GetIO().DisplaySize.y) break;
+  }
   const float width = std::max(extent.x, std::min(room, Buttons::width(writer, buttons)));
   const ImVec2 at{0.5F * (middle.from + middle.to - width), bottom - row - 0.5F * size_ - extent.y};
   ground(writer, {at.x - 0.5F * size_, at.y - 0.4F * size_}, {at.x + width + 0.5F * size_, bottom}, middle);
   writer.write(at, coloursOn(writer.background).warning, viewer.run().failure().message(), room);
   buttons_.draw(writer, {at.x, at.y + extent.y + 0.5F * size_}, buttons, room);
   middle.top = at.y - 0.4F * size_;
+  failure_ = ImGui::GetIO().DisplaySize.y - middle.top;
 }
 
 /// What there is to say while the cloth has not failed; empty: nothing.
@@ -171,7 +185,7 @@ std::string Hud::promptText(const Viewer& viewer) const {
   }
   if (run.state() == RunState::Paused) return "paused  \u00b7  space goes on";
   if (run.asleep()) return "at rest  \u00b7  click the cloth to push it";
-  if (run.failure().runsOn()) return "unstable: V takes a safe step, M a method that holds, R restarts";
+  if (isBreaking(run)) return "unstable: V takes a safe step, M a method that holds, R restarts";
   return hint_;
 }
 
@@ -180,7 +194,7 @@ void Hud::drawPrompt(const Viewer& viewer, Middle& middle) const {
   if (text.empty()) return;
   TextWriter writer = writerIn(viewer, middle);
   const bool noted = !viewer.notes().text().empty();
-  const bool warns = noted ? viewer.notes().warns() : viewer.run().failure().runsOn();
+  const bool warns = noted ? viewer.notes().warns() : isBreaking(viewer.run());
   const Colours& colours = coloursOn(writer.background);
   const RunState state = viewer.run().state();
   const bool prompts = state == RunState::Waiting || state == RunState::Paused;

@@ -21,14 +21,14 @@ std::string name(const Method& method) { return std::string(method.name); }
 
 bool chooses(const Simulation& simulation) { return simulation.method().adaptive && simulation.scene().tolerance > 0; }
 
-std::string whatBroke(const Simulation& simulation) {
+std::string whatBroke(const Simulation& simulation, double alarmTime) {
   const std::string with = chooses(simulation)
                                ? fmt::format("a tolerance of {:.4g} mm", 1e3 * simulation.scene().tolerance)
                                : fmt::format("a step of {:.4g} ms", 1e3 * simulation.dt());
   const bool finite = simulation.status() == Status::Unstable;
   return name(simulation.method()) + " with " + with +
          (finite ? " became unstable" : " left the numbers that can be computed with") +
-         fmt::format(" at {:.3f} s", simulation.alarmTime());
+         fmt::format(" at {:.3f} s", alarmTime);
 }
 
 std::string cause(const Simulation& simulation, double limit) {
@@ -111,8 +111,8 @@ Cure findCure(const Simulation& simulation, double limit) {
   return cure;
 }
 
-std::string describeFailure(const Simulation& simulation, double limit, const Cure& cure) {
-  return whatBroke(simulation) + cause(simulation, limit) + waysOut(simulation, cure);
+std::string describeFailure(const Simulation& simulation, double alarmTime, double limit, const Cure& cure) {
+  return whatBroke(simulation, alarmTime) + cause(simulation, limit) + waysOut(simulation, cure);
 }
 
 std::string describeStall(const Simulation& simulation, double seconds, const Cure& cure) {

@@ -24,10 +24,20 @@ void Failure::freeze(std::string message) {
   message_ = std::move(message);
 }
 
+/// The alarm looks every few steps and wherever a run stops, so that its time depends on how it is reached.
+bool Failure::isKnown(const Simulation& simulation) const {
+  return lastGood_ && simulation.alarmTime() >= lastGood_->time && method_ == &simulation.method() &&
+         step_ == simulation.dt();
+}
+
 void Failure::freezeOnAlarm(Simulation& simulation, const ShownState& shown) {
   updateMargin(simulation);
+  if (!isKnown(simulation)) {
+    lastGood_.reset();
+    alarmTime_ = simulation.alarmTime(), method_ = &simulation.method(), step_ = simulation.dt();
+  }
   const Cure cure = findCure(simulation, margin().limit);
-  freezeWith(describeFailure(simulation, margin().limit, cure), cure, shown);
+  freezeWith(describeFailure(simulation, alarmTime_, margin().limit, cure), cure, shown);
 }
 
 void Failure::freezeOnStall(Simulation& simulation, const ShownState& shown, double seconds) {

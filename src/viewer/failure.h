@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -51,9 +52,12 @@ class Failure {
   /// Nothing while no alarm has stopped the run.
   [[nodiscard]] const std::optional<LastGood>& lastGood() const { return lastGood_; }
   [[nodiscard]] bool runsOn() const { return runsOn_; }  ///< the person let the run go on past its alarm
+  /// s, when the alarm went, as it was told first; NaN while none has stopped the run.
+  [[nodiscard]] double alarmTime() const { return lastGood_ ? alarmTime_ : std::numeric_limits<double>::quiet_NaN(); }
 
  private:
   void freezeWith(std::string message, const Cure& cure, const ShownState& shown);
+  [[nodiscard]] bool isKnown(const Simulation& simulation) const;
 
   Clock clock_;
   MarginWatch margin_;
@@ -61,6 +65,10 @@ class Failure {
   std::optional<Cure> cure_;
   std::optional<LastGood> lastGood_;
   bool runsOn_ = false;
+  // Of the last failure; it is told alike however often it is reached.
+  double alarmTime_ = 0;  ///< s
+  const Method* method_ = nullptr;
+  double step_ = 0;  ///< s
 };
 
 }  // namespace tyg

@@ -149,6 +149,16 @@ void SceneControl::takeSafeStep() {
   if (step > 0) wanted.dt = step, cureWith(wanted);
 }
 
+void SceneControl::goOnWhereMended() {
+  const Simulation& failed = run_.simulation();
+  if (run_.state() != RunState::Frozen || !run_.failure().cure()) return;
+  if (method_ == &failed.method() && scene_.dt == failed.dt()) return;
+  run_.updateMargin(scene_);
+  if (run_.margin().band() == MarginBand::Past) return;
+  const Scene wanted = scene_;
+  cureWith(wanted);
+}
+
 void SceneControl::takeHoldingMethod() {
   const std::optional<Cure>& cure = run_.failure().cure();
   if (!cure || cure->method == nullptr) return;

@@ -32,6 +32,8 @@ class SceneControl {
   void takeSafeStep();
   /// The method of the cure; does nothing where there is none.
   void takeHoldingMethod();
+  /// Goes on from before a failure where the method and the step that are chosen by now hold.
+  void goOnWhereMended();
   /// From the start, with the scene, method and step that are chosen.
   void restart();
   /// Whether to follow the dissipated energy, restarts included.

@@ -148,6 +148,17 @@ float Panels::textSize(const PanelKind& kind) const {
 
 float Panels::widthOf(const PanelKind& kind) const { return std::round(kind.width * textSize(kind)); }
 
+/// Folded ones are as wide as those below and above them.
+float Panels::widthOf(std::size_t which) const {
+  const PanelKind& kind = panelTable()[which];
+  if (!slots_[which].folded) return widthOf(kind);
+  float widest = 0;
+  for (const std::size_t other : order_) {
+    if (isAtEdge(other, kind.edge) && !slots_[other].folded) widest = std::max(widest, widthOf(panelTable()[other]));
+  }
+  return widest > 0 ? widest : widthOf(kind);
+}
+
 bool Panels::isAtEdge(std::size_t which, Edge edge) const {
   return slots_[which].open && !slots_[which].dragged && panelTable()[which].edge == edge;
 }
@@ -222,7 +233,7 @@ void Panels::arrange(Edge edge) {
 void Panels::placeNext(std::size_t which) {
   const PanelKind& kind = panelTable()[which];
   Slot& slot = slots_[which];
-  const float width = widthOf(kind), side = kSide * size_;
+  const float width = widthOf(which), side = kSide * size_;
   const float x = std::round(kind.edge == Edge::Left ? side : ImGui::GetIO().DisplaySize.x - width - side);
   // Only where its position has changed: ImGui moves a window that is being dragged before this.
   if (!slot.dragged && (x != slot.x || std::round(slot.top) != slot.y)) {

@@ -63,6 +63,7 @@ class Panels {
   [[nodiscard]] bool isAtEdge(std::size_t which, Edge edge) const;
   [[nodiscard]] float textSize(const PanelKind& kind) const;
   [[nodiscard]] float widthOf(const PanelKind& kind) const;
+  [[nodiscard]] float widthOf(std::size_t which) const;
 
   bool copyAsked_ = false;
   float size_;
