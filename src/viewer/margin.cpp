@@ -16,6 +16,12 @@ namespace {
 constexpr double kMostShare = 0.05;  // of the time, for the live limit
 constexpr double kStretched = 0.99;  // of the limit at rest: below that the cloth's stretch is told
 
+/// A scene whose limit at rest is that of a sheet which has lost springs, wherever that was.
+Scene withCuts(Scene scene) {
+  if (scene.cuts.empty()) scene.cuts.push_back({.line = {-1, 0.5, double(scene.columns), 0.5}, .at = 0});
+  return scene;
+}
+
 }  // namespace
 
 MarginBand Margin::band() const {
@@ -45,23 +51,26 @@ void describe(const Margin& margin, MarginText& text) {
       margin.band() == MarginBand::Close ? ": close to unstable" : "");
 }
 
-void MarginWatch::follow(const Scene& scene, const Method& method, double step) {
-  if (method_ != &method || !sameLiveParameters(scene_, scene)) {
+void MarginWatch::follow(const Scene& scene, const Method& method, double step, bool isCut) {
+  if (method_ != &method || isCut != isCut_ || !sameLiveParameters(scene_, scene)) {
     method_ = &method;
     scene_ = scene;
+    isCut_ = isCut;
     measuredAt_ = -1;
     live_ = std::numeric_limits<double>::quiet_NaN();
-    margin_ = {.rest = restLatticeLimit(scene, method)};
+    margin_ = {.rest = restLatticeLimit(isCut ? withCuts(scene) : scene, method)};
   }
   margin_.step = step;
   margin_.adaptive = method.adaptive && scene.tolerance > 0;
   margin_.limit = std::fmin(margin_.rest, live_);  // of a number and NaN, the number
 }
 
-void MarginWatch::preview(const Scene& chosen) { follow(chosen, findMethod(chosen.integrator), chosen.dt); }
+void MarginWatch::preview(const Scene& chosen) {
+  follow(chosen, findMethod(chosen.integrator), chosen.dt, isCut_);
+}
 
 void MarginWatch::update(Simulation& simulation, const Clock& clock) {
-  follow(simulation.scene(), simulation.method(), simulation.dt());
+  follow(simulation.scene(), simulation.method(), simulation.dt(), !simulation.sheet().missing.none());
   const bool moves = simulation.status() == Status::Ok && simulation.ticks() != measuredAt_;
   if (!margin_.adaptive && moves) measureLive(simulation, clock);
   margin_.limit = std::fmin(margin_.rest, live_);

@@ -22,10 +22,10 @@ class PanelsTest : public PanelsFixture {
       return window->Active && (window->Flags & ImGuiWindowFlags_Tooltip) != 0;
     });
   }
-  /// The lowest field of Control that has a tooltip; in its left half, the columns.
+  /// The only field of Control that is typed into without Ctrl; in its left half, the columns.
   void restOnTheSheetsField() {
     const ImRect panel = placeOf("Control");
-    for (float y = panel.Max.y; y > panel.Min.y && !showsTooltip(); y -= 6) {
+    for (float y = panel.Max.y; y > panel.Min.y && ImGui::GetMouseCursor() != ImGuiMouseCursor_TextInput; y -= 6) {
       ImGui::GetIO().MousePos = {panel.Min.x + 6.5F * 18, y}, frames(30);
     }
   }

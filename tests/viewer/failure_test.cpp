@@ -7,6 +7,7 @@
 
 #include "core/simulation/live_parameters.h"
 #include "study/limits/stability.h"
+#include "viewer/edits.h"
 #include "viewer/viewer_fixture.h"
 
 namespace tyg {
@@ -53,6 +54,47 @@ TEST_F(WildViewerTest, AFrozenClothStaysFrozenUntilRestartedWithTheChosenMethod)
   EXPECT_EQ(viewer_.run().state(), RunState::Waiting);
   EXPECT_EQ(viewer_.run().simulation().method().name, "symplectic-euler");
   EXPECT_EQ(viewer_.run().simulation().status(), Status::Ok);
+}
+
+TEST_F(WildViewerTest, SpaceWhileFrozenSaysWhatItWouldDo) {
+  runUntilFrozen();
+  tap(' ');
+  EXPECT_EQ(viewer_.run().state(), RunState::Frozen);
+  EXPECT_NE(viewer_.notes().text().find("into the failure"), std::string::npos) << viewer_.notes().text();
+}
+
+TEST_F(WildViewerTest, TheSameFailureIsToldAlikeHoweverItIsReached) {
+  runUntilFrozen();
+  const std::string told = viewer_.run().failure().message();
+  for (const KeyCode way : {'J', ','}) {
+    tap(way);
+    frames(2);
+    for (int frame = 0; frame < 3000 && viewer_.run().state() != RunState::Frozen; ++frame) {
+      if (way == ',' || viewer_.run().state() == RunState::Paused) tap('.');
+      frames(1);
+    }
+    EXPECT_EQ(viewer_.run().failure().message(), told) << way;
+  }
+}
+
+TEST_F(WildViewerTest, AnUndoThatMendsTheStepGoesOnFromBeforeTheFailure) {
+  Edits edits(viewer_);
+  Scene wanted = viewer_.scenes().scene();
+  wanted.dt = 0.002;
+  viewer_.scenes().use(wanted);
+  edits.follow(viewer_);
+  tap(' '), frames(60);
+  wanted.dt = 0.05;
+  viewer_.scenes().use(wanted);
+  edits.follow(viewer_);
+  for (int frame = 0; frame < 600 && viewer_.run().state() == RunState::Running; ++frame) frames(1);
+  ASSERT_EQ(viewer_.run().state(), RunState::Frozen);
+  const double broke = viewer_.run().failure().alarmTime();
+  edits.undo(viewer_);
+  frames(120);
+  EXPECT_EQ(viewer_.run().state(), RunState::Running) << viewer_.run().failure().message();
+  EXPECT_EQ(viewer_.run().simulation().dt(), 0.002);
+  EXPECT_GT(viewer_.run().simulation().time(), broke);
 }
 
 TEST_F(WildViewerTest, TheMessageNamesTheLimitAndTheWaysOut) {
