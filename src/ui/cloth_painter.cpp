@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/forces/terms/air.h"
+#include "view/against_neighbours.h"
 #include "view/body_shapes.h"
 #include "view/wind_arrow.h"
 
@@ -55,6 +56,12 @@ void ClothPainter::draw(const Viewer& viewer, Panels& panels, Extent window) {
   ClothPicture picture{.options = viewer.view().drawOptions()};
   picture.options.wind = shownWind(viewer);
   panels.paint(picture);
+  if (viewer.run().showsBreaking() && picture.options.colouring.by == Colouring::By::Family) {
+    against_.resize(viewer.run().shown().positions().size() / 3);
+    againstNeighbours(viewer.run().shown().sheet(), viewer.run().shown().positions(), against_);
+    picture.options.colouring = {
+        .by = Colouring::By::Particle, .ramp = Ramp::Balanced, .low = -1, .high = 1, .values = against_};
+  }
   placeBodies(viewer.run().simulation().scene(), viewer.run().shown().time(), bodies_);
   addShifted(bodies_, picture.ghostShift);
   picture.options.bodies = bodies_;

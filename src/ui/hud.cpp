@@ -10,6 +10,7 @@
 
 #include "tyg/methods.h"
 #include "ui/cloth_painter.h"
+#include "ui/failure_picture.h"
 #include "util/visible_text.h"
 #include "view/picking.h"
 
@@ -125,6 +126,10 @@ void Hud::draw(const Viewer& viewer, Panels& panels) {
   if (panels.width(Edge::Left) == 0) drawKeys(viewer, free);
   drawWind(viewer, colours);
   drawArrow(viewer, colours);
+  if (viewer.run().state() == RunState::Frozen || viewer.run().showsBreaking()) {
+    const float top = kTop * size_, right = screenSize().x - panels.width(Edge::Right) - size_;
+    drawFailurePicture(writer, {right, top}, free - top - size_, viewer);
+  }
   if (!viewer.view().showsAllKeys()) return allKeys_.hide();
   allKeys_.draw(writer, help_, [&](const HelpLine& line) { return isOn(line, viewer); });
 }

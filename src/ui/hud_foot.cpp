@@ -32,13 +32,12 @@ bool isBreaking(const RunControl& run) {
 
 std::vector<Buttons::Button> waysOut(const Viewer& viewer) {
   std::vector<Buttons::Button> buttons;
-  const bool canRunOn = viewer.run().simulation().status() == Status::Unstable && !viewer.run().failure().runsOn();
   if (const auto& cure = viewer.run().failure().cure()) {
     const std::string step = fmt::format("a step of {:.3g} ms", 1e3 * cure->step);
     if (cure->step > 0) buttons.push_back({"V", step, InputAction::SafeStep});
     if (cure->method != nullptr) buttons.push_back({"M", std::string(cure->method->name), InputAction::HoldingMethod});
     buttons.push_back({"J", "see it again, slowly", InputAction::Again});
-    if (canRunOn) buttons.push_back({"Enter", "run on, let it break", InputAction::RunOn});
+    if (viewer.run().canRunOn()) buttons.push_back({"Enter", "run on, let it break", InputAction::RunOn});
   }
   buttons.push_back({",", "step back", InputAction::StepBack});
   buttons.push_back({"R", "restart", InputAction::Restart});

@@ -14,6 +14,13 @@
 
 namespace tyg {
 
+/// The wave that a method amplifies first in a sheet of so many columns and rows, by the name that `tyg run` prints.
+struct FailingMotion {
+  std::string name;
+  double qx = 0, qy = 0;  ///< phases from column to column and row to row
+  int columns = 0, rows = 0;
+};
+
 class Failure {
  public:
   using Clock = std::function<double()>;  ///< s, from any start
@@ -52,6 +59,8 @@ class Failure {
   /// Nothing while no alarm has stopped the run.
   [[nodiscard]] const std::optional<LastGood>& lastGood() const { return lastGood_; }
   [[nodiscard]] bool runsOn() const { return runsOn_; }  ///< the person let the run go on past its alarm
+  /// Nothing while no alarm has stopped the run, or where no wave explains it.
+  [[nodiscard]] const std::optional<FailingMotion>& motion() const { return motion_; }
   /// s, when the alarm went, as it was told first; NaN while none has stopped the run.
   [[nodiscard]] double alarmTime() const { return lastGood_ ? alarmTime_ : std::numeric_limits<double>::quiet_NaN(); }
 
@@ -69,6 +78,7 @@ class Failure {
   double alarmTime_ = 0;  ///< s
   const Method* method_ = nullptr;
   double step_ = 0;  ///< s
+  std::optional<FailingMotion> motion_;
 };
 
 }  // namespace tyg

@@ -25,10 +25,16 @@ class Playback {
     speedBefore_ = clock_.speed();
     clock_.setSpeed(std::min(speedBefore_, speed));
   }
-  /// Does nothing where there is no replay.
+  /// From now on time passes no faster than this, as for a cloth that breaks.
+  void slowDown(double speed) {
+    if (!slowed_) speedBefore_ = clock_.speed();
+    slowed_ = true;
+    clock_.setSpeed(std::clamp(std::min(speedBefore_, speed), kSlowest, 1.0));
+  }
+  /// Ends a replay, or that slowness; does nothing where there is neither.
   void endReplay() {
-    if (replaying_) clock_.setSpeed(speedBefore_);
-    replaying_ = false;
+    if (replaying_ || slowed_) clock_.setSpeed(speedBefore_);
+    replaying_ = slowed_ = false;
   }
   [[nodiscard]] bool replaying() const { return replaying_; }
   [[nodiscard]] FrameClock& clock() { return clock_; }
@@ -37,7 +43,7 @@ class Playback {
  private:
   static constexpr double kSlowest = 1.0 / 64;
   FrameClock clock_;
-  bool replaying_ = false;
+  bool replaying_ = false, slowed_ = false;
   double speedBefore_ = 1;  ///< that a replay goes back to
 };
 

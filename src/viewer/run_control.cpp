@@ -54,6 +54,7 @@ void RunControl::goOn() {
   failure_.setRunsOn(failure_.runsOn() && simulation_.status() != Status::Ok);
   simulation_.keepGoing(failure_.runsOn());
   failure_.thaw();
+  if (failure_.runsOn()) playback_.slowDown(BreakRecord::kTicksPerSecond * simulation_.dt());
   state_ = RunState::Running;
   playback_.clock().restart();
 }
@@ -109,8 +110,16 @@ void RunControl::replay() {
   });
 }
 
+bool RunControl::canRunOn() const {
+  return failure_.cure() && !failure_.runsOn() && simulation_.status() == Status::Unstable &&
+         !BreakRecord::hasBroken(shown_);
+}
+
 void RunControl::runOn() {
-  if (!failure_.cure() || failure_.runsOn() || simulation_.status() != Status::Unstable) return;
+  if (!canRunOn()) return;
+  breaking_.clear();
+  breaking_.note(shown_);
+  playback_.slowDown(BreakRecord::kTicksPerSecond * simulation_.dt());
   failure_.thaw();
   failure_.setRunsOn(true);
   simulation_.keepGoing(true);
@@ -136,6 +145,7 @@ void RunControl::startOver(Simulation fresh) {
   sleep_.wake();
   journey_.giveUp();
   failure_.restart();
+  breaking_.clear();
   simulation_ = std::move(fresh);
   ticks_.guard(simulation_);
   history_.begin(simulation_);
@@ -195,6 +205,13 @@ int RunControl::run(std::int64_t ticks, double seconds) {
 /// Takes the simulation's state over for drawing, unless the alarm says that it is not worth showing.
 void RunControl::show() {
   if (!shown_.take(simulation_, failure_.runsOn())) return freezeOnAlarm();
+  if (failure_.runsOn() && simulation_.status() != Status::Ok) {
+    breaking_.note(shown_);
+    const bool isOver = BreakRecord::hasBroken(shown_) || breaking_.isSeen(simulation_.dt());
+    if (isOver && state_ == RunState::Running && !history_.past()) return freezeOnAlarm();
+  } else if (!failure_.lastGood()) {
+    breaking_.clear();
+  }
   if (simulation_.status() == Status::Ok && !history_.past()) failure_.passed(shown_.tick());
   noteFastContact();
   if (state_ == RunState::Running && !playback_.replaying() && !listener_.actsAt(shown_.tick())) {
@@ -218,6 +235,7 @@ void RunControl::freezeOnAlarm() {
   listener_.settingsReturned();
   state_ = RunState::Frozen;
   failure_.freezeOnAlarm(simulation_, shown_);
+  failure_.setRunsOn(false);
 }
 
 /// The simulation is at the beginning of the tick that was given up.

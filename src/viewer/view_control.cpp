@@ -48,6 +48,16 @@ void ViewControl::glideTo(std::vector<glm::vec3> points) {
   camera_.place(from);
 }
 
+void ViewControl::followBreaking(bool breaks, bool runs) {
+  if (!breaks && std::exchange(followed_, false) && !cameraMoved_) return glideTo(motionBounds_);
+  if (!breaks || cameraMoved_ || !visible()) return;
+  followed_ = true;
+  constexpr float kShare = 0.25F;  // of the way, a frame
+  const glm::vec3 from = camera_.eye();
+  frameCloth();
+  camera_.place(glm::mix(from, camera_.eye(), runs ? kShare : 1));
+}
+
 void ViewControl::movedByHand() {
   cameraMoved_ = true;
   glide_.reset();

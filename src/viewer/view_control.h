@@ -39,6 +39,9 @@ class ViewControl {
   void frameCloth();
   /// Once a frame: moves as the held keys say, or glides on.
   void move(const Motion& keys, float seconds);
+  /// Once a frame of a cloth that breaks: goes along with it while it runs, and shows all of it then, unless the person
+  /// has moved the camera. Afterwards, once a frame of any other: goes back.
+  void followBreaking(bool breaks, bool runs);
   void turn(glm::vec2 pixels);   ///< the cursor moved so far
   void orbit(glm::vec2 pixels);  ///< around the cloth; likewise
   void approach(float notches);  ///< of the wheel
@@ -79,6 +82,7 @@ class ViewControl {
   bool framed_ = false;
   bool cameraMoved_ = false;  ///< by the person, since the cloth was framed
   std::optional<Glide> glide_;
+  bool followed_ = false;  ///< a cloth that breaks
 };
 
 }  // namespace tyg

@@ -182,6 +182,8 @@ void Viewer::frame() {
   }
   tools_.frame();
   run_.advance(seconds, pace_.otherSeconds());
+  followCloth();
+  view_.followBreaking(run_.showsBreaking(), run_.state() == RunState::Running);
   run_.updateMargin(scenes_.scene());
   if (!woken_ && !idle()) pace_.measure(seconds, clock_() - now, run_.frameClock());
   woken_ = false;
