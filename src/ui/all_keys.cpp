@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tyg/methods.h"
+#include "ui/panels/panel.h"
 #include "ui/panels/style.h"
 
 namespace tyg {
@@ -71,6 +73,10 @@ void AllKeys::draw(TextWriter writer, std::span<const HelpLine> lines,
       float y = at.y + (kPad + kLine) * size;
       for (const HelpLine* line : best.lines[column]) {
         list_.draw(writer, {x, y}, best.widths[column], *line, isOn(*line));
+        const ImVec2 corner{x + best.widths[column].all * size, y + kLine * size};
+        if (line->action() == InputAction::ChooseMethod && inside(ImGui::GetIO().MousePos, {x, y}, corner)) {
+          ImGui::SetTooltip("%s", aboutMethod(methods()[line->method]).c_str());
+        }
         y += kLine * size;
       }
       x += (best.widths[column].all + kBetween) * size;

@@ -142,7 +142,7 @@ double parseScale(const std::string& text) {
 }  // namespace
 
 void addViewCommand(CLI::App& app, Action& action) {
-  Command command(app, "view", "The window: space starts and pauses, a left click pushes the cloth, H shows the keys");
+  Command command(app, "view", "The window: space starts and pauses, a left click pushes the cloth, F1 shows all keys");
   auto options = std::make_shared<ViewOptions>();
   addSceneOptions(command, options->scene);
   command.option("--window", options->window, "Library that opens the window [glfw]")
