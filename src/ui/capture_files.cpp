@@ -40,8 +40,8 @@ std::string CaptureFiles::keep(const Picture& picture, const std::string& sceneT
   writePng(picture, folder_ / (stem + ".png"));
   writeWholeFile(folder_ / (stem + ".toml"), sceneText);
   writeWholeFile(folder_ / (stem + ".csv"), formatEventLog(log));
-  return "saved to " + (folder_ / stem).string() + ".png, .toml and .csv; tyg run --replay " + shellWord(stem + ".csv") +
-         " does this run again";
+  return "saved to " + (folder_ / stem).string() + ".png, .toml and .csv; tyg run --replay " +
+         shellWord(stem + ".csv") + " does this run again";
 }
 
 void CaptureFiles::beginMovie(const std::string& sceneName, int width, int height) {

@@ -29,8 +29,8 @@ class ClothPainter {
   std::unique_ptr<SheetRenderer> ghost_;  ///< its springs may differ; null until one is shown
   Sheet sheetWithoutHeld_;
   std::vector<float> against_;  ///< of each particle, which way it is moved against its neighbours
-  std::vector<Body> bodies_;  ///< as shown
-  int sheet_;                             ///< of SceneControl::sheetsSoFar(), the one that the renderer is for
+  std::vector<Body> bodies_;    ///< as shown
+  int sheet_;                   ///< of SceneControl::sheetsSoFar(), the one that the renderer is for
 };
 
 }  // namespace tyg

@@ -68,7 +68,8 @@ void drawEnergy(const TextWriter& writer, ImVec2 from, ImVec2 to, std::span<cons
 }  // namespace
 
 void drawFailurePicture(TextWriter writer, ImVec2 corner, float room, const Viewer& viewer) {
-  constexpr float kLines = 36, kSmallest = 0.6F;  // in a window of fewer lines it is smaller, to leave the cloth in view
+  constexpr float kLines = 36,
+                  kSmallest = 0.6F;  // in a window of fewer lines it is smaller, to leave the cloth in view
   writer.size *= std::clamp(ImGui::GetIO().DisplaySize.y / (kLines * writer.size), kSmallest, 1.0F);
   const std::optional<FailingMotion>& motion = viewer.run().failure().motion();
   if (!motion) return;

@@ -21,9 +21,9 @@ namespace tyg {
 
 class FrameLoop {
  public:
-  /// `opening`, `viewer` and `memory` must live as long as this does. `log` is a file for one CSV line a frame; a window
-  /// with one shows no hints. Throws std::runtime_error where the driver refuses the shaders, and InputError where the log
-  /// cannot be written.
+  /// `opening`, `viewer` and `memory` must live as long as this does. `log` is a file for one CSV line a frame; a
+  /// window with one shows no hints. Throws std::runtime_error where the driver refuses the shaders, and InputError
+  /// where the log cannot be written.
   FrameLoop(OpeningWindow& opening, Viewer& viewer, WindowMemory& memory, const std::optional<std::string>& log);
 
   /// Until the window is closed, the person leaves, or the program is interrupted. Returns what is left to tell the

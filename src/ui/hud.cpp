@@ -143,7 +143,8 @@ void Hud::drawTools(const Viewer& viewer, float from) {
   const Extent pixels = viewer.view().pixels();
   for (const int particle : viewer.run().shown().held()) {
     const float* p = &xyz[3 * static_cast<std::size_t>(particle)];
-    drawHold(writerFor(viewer), placeInWindow(viewer.view().camera(), {p[0], p[1], p[2]}, {pixels.width, pixels.height}));
+    drawHold(writerFor(viewer),
+             placeInWindow(viewer.view().camera(), {p[0], p[1], p[2]}, {pixels.width, pixels.height}));
   }
 }
 

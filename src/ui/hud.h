@@ -25,7 +25,8 @@ class Hud {
 
   /// True where the event was a press on one of the buttons, whose action was then performed.
   bool pressButton(const WindowEvent& event, Viewer& viewer) {
-    return buttons_.handle(event, viewer) || tools_.handle(event, viewer) || pressKey(event, keys_.at(positionOf(event)));
+    return buttons_.handle(event, viewer) || tools_.handle(event, viewer) ||
+           pressKey(event, keys_.at(positionOf(event)));
   }
   /// The same for the long list of keys, while it is shown: any press outside it, and Esc, closes it. What a press on a
   /// key comes to is in takeKeys().

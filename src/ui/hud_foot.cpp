@@ -11,8 +11,8 @@
 namespace tyg {
 namespace {
 
-constexpr float kLeastMiddle = 30;  // to write in between the panels
-constexpr float kAbove = 0.6F;      // between what is said and what is below
+constexpr float kLeastMiddle = 30;     // to write in between the panels
+constexpr float kAbove = 0.6F;         // between what is said and what is below
 constexpr float kFailureShare = 0.3F;  // of the window's height, for what is said of a failure: else it is said smaller
 constexpr float kSmallest = 0.65F;     // but not smaller than this share of the text
 

@@ -1,4 +1,5 @@
-// The order is that of what lies on top: the long list of keys, a field that is typed into, panels, what is written over the cloth, the cloth.
+// The order is that of what lies on top: the long list of keys, a field that is typed into, panels, what is written
+// over the cloth, the cloth.
 #include "ui/input_router.h"
 
 #include "ui/frame_capture.h"

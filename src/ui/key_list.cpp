@@ -58,8 +58,7 @@ void KeyList::draw(const TextWriter& writer, ImVec2 at, const Widths& widths, co
 }
 
 const Input* KeyList::at(ImVec2 place) const {
-  const auto found =
-      std::ranges::find_if(areas_, [&](const Area& area) { return inside(place, area.from, area.to); });
+  const auto found = std::ranges::find_if(areas_, [&](const Area& area) { return inside(place, area.from, area.to); });
   return found == areas_.end() ? nullptr : found->input;
 }
 

@@ -45,8 +45,7 @@ std::string costText(double seconds, const ChartScale& scale) {
   return fmt::format("{:.3g} ms per simulated second", scale.cost(seconds));
 }
 
-ChartAdvice adviceOn(const std::vector<WorkRow>& rows, const Setting& present, const ChartScale& scale,
-                     bool finished) {
+ChartAdvice adviceOn(const std::vector<WorkRow>& rows, const Setting& present, const ChartScale& scale, bool finished) {
   const SettingEstimate estimate = estimateOf(rows, present);
   ChartAdvice advice{.present = presentSentence(estimate, present, scale, finished), .better = {}};
   const BetterRows better = betterThan(rows, estimate);

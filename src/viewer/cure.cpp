@@ -94,8 +94,8 @@ std::string takeStepThatHolds(Scene& scene) {
   const double safe = safeStep(restLatticeLimit(scene, method));
   if (!(safe > 0) || scene.dt * kSafeShare <= safe) return {};
   const double before = std::exchange(scene.dt, safe);
-  return fmt::format("{} x {} particles are stable with smaller steps only: {:.3g} ms instead of {:.3g} ms", scene.columns,
-                     scene.rows, 1e3 * safe, 1e3 * before);
+  return fmt::format("{} x {} particles are stable with smaller steps only: {:.3g} ms instead of {:.3g} ms",
+                     scene.columns, scene.rows, 1e3 * safe, 1e3 * before);
 }
 
 Cure findCure(const Simulation& simulation, double limit) {

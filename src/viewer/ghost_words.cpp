@@ -55,8 +55,7 @@ Sentence progressWords(const Ghost& ghost) {
     return {fmt::format("The ghost's method failed at {:.3f} s.", ghost.time()), Tone::Warning};
   }
   if (ghost.stalled()) {
-    return {fmt::format("The ghost stalled at {:.3f} s: it needed too many steps.", ghost.time()),
-            Tone::Warning};
+    return {fmt::format("The ghost stalled at {:.3f} s: it needed too many steps.", ghost.time()), Tone::Warning};
   }
   if (ghost.behind() <= kNearlyInStep) return {};
   if (!ghost.losing()) {

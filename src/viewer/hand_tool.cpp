@@ -112,9 +112,7 @@ class HandTool final : public Tool {
     if (scope.run.state() == RunState::Waiting) scope.run.goOn();
   }
 
-  static glm::vec2 windowOf(const ToolScope& scope) {
-    return {scope.view.pixels().width, scope.view.pixels().height};
-  }
+  static glm::vec2 windowOf(const ToolScope& scope) { return {scope.view.pixels().width, scope.view.pixels().height}; }
   static std::optional<int> particleNear(const ToolScope& scope, glm::vec2 cursor, float pixels) {
     const RunControl& run = scope.run;
     return pickParticle(scope.view.camera(), cursor, windowOf(scope), run.simulation().sheet(), run.shown().positions(),

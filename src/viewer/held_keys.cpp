@@ -44,9 +44,7 @@ Motion HeldKeys::motion() const {
           .lookUp = along(LookUp, LookDown)};
 }
 
-bool HeldKeys::moves() const {
-  return motion() != Motion{};
-}
+bool HeldKeys::moves() const { return motion() != Motion{}; }
 
 std::optional<InputAction> HeldKeys::due(double now) {
   if (!repeated_ || now < repeatAt_) return std::nullopt;

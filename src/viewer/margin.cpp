@@ -47,8 +47,8 @@ void describe(const Margin& margin, MarginText& text) {
     return say("{:.3g} times the largest stable step ({:.3g} ms{}): unstable", margin.share(), 1e3 * margin.limit,
                rest.data());
   }
-  say("step is {:.0f} % of the largest stable one ({:.3g} ms{}){}", 100 * margin.share(), 1e3 * margin.limit, rest.data(),
-      margin.band() == MarginBand::Close ? ": close to unstable" : "");
+  say("step is {:.0f} % of the largest stable one ({:.3g} ms{}){}", 100 * margin.share(), 1e3 * margin.limit,
+      rest.data(), margin.band() == MarginBand::Close ? ": close to unstable" : "");
 }
 
 void MarginWatch::follow(const Scene& scene, const Method& method, double step, bool isCut) {
@@ -65,9 +65,7 @@ void MarginWatch::follow(const Scene& scene, const Method& method, double step, 
   margin_.limit = std::fmin(margin_.rest, live_);  // of a number and NaN, the number
 }
 
-void MarginWatch::preview(const Scene& chosen) {
-  follow(chosen, findMethod(chosen.integrator), chosen.dt, isCut_);
-}
+void MarginWatch::preview(const Scene& chosen) { follow(chosen, findMethod(chosen.integrator), chosen.dt, isCut_); }
 
 void MarginWatch::update(Simulation& simulation, const Clock& clock) {
   follow(simulation.scene(), simulation.method(), simulation.dt(), !simulation.sheet().missing.none());

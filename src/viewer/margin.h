@@ -38,8 +38,8 @@ class MarginWatch {
   /// Once a frame. Past the alarm of a simulation the limit stays as it was. Finding the live limit takes no more than
   /// a twentieth of the time: the larger a sheet, the fewer frames measure it.
   void update(Simulation& simulation, const Clock& clock);
-  /// The same for what is chosen for the next run of a frozen cloth, cut as it was. With another method or other live parameters than
-  /// at the last update the limit is the one at rest.
+  /// The same for what is chosen for the next run of a frozen cloth, cut as it was. With another method or other live
+  /// parameters than at the last update the limit is the one at rest.
   void preview(const Scene& chosen);
   /// Another simulation: its limit at rest is worked out at the next update.
   void restart() { method_ = nullptr; }
@@ -50,11 +50,11 @@ class MarginWatch {
   void measureLive(Simulation& simulation, const Clock& clock);
 
   const Method* method_ = nullptr;
-  Scene scene_;                                 ///< whose live parameters rest is of
-  bool isCut_ = false;                          ///< springs are gone: rest is that of whatever may be left
-  double live_ = 0;                             ///< s
-  std::int64_t measuredAt_ = -1;                ///< tick of the last measurement; -1 before the first with this method
-  double nextMeasured_ = 0;                     ///< s, of the clock
+  Scene scene_;                   ///< whose live parameters rest is of
+  bool isCut_ = false;            ///< springs are gone: rest is that of whatever may be left
+  double live_ = 0;               ///< s
+  std::int64_t measuredAt_ = -1;  ///< tick of the last measurement; -1 before the first with this method
+  double nextMeasured_ = 0;       ///< s, of the clock
   Margin margin_;
 };
 

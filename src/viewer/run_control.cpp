@@ -41,8 +41,9 @@ RunControl::RunControl(Simulation simulation, Clock clock, Notes& notes, RunList
 
 void RunControl::startOrPause() {
   if (state_ == RunState::Frozen) {
-    return notes_.say(failure_.cure() ? "space would go on into the failure: take one of the ways out, or Enter to see it."
-                                      : "From here nothing goes on: R restarts.");
+    return notes_.say(failure_.cure()
+                          ? "space would go on into the failure: take one of the ways out, or Enter to see it."
+                          : "From here nothing goes on: R restarts.");
   }
   if (state_ != RunState::Running) return goOn();
   playback_.endReplay();

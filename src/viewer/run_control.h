@@ -93,7 +93,9 @@ class RunControl {
   /// Of a cloth that was let run on past its alarm; empty for others.
   [[nodiscard]] std::span<const BreakRecord::Moment> breaking() const { return breaking_.moments(); }
   /// It runs on past its alarm, or is shown as that has left it.
-  [[nodiscard]] bool showsBreaking() const { return !breaking_.moments().empty() && shown_.time() >= failure_.alarmTime(); }
+  [[nodiscard]] bool showsBreaking() const {
+    return !breaking_.moments().empty() && shown_.time() >= failure_.alarmTime();
+  }
   /// It can be let run on past its alarm.
   [[nodiscard]] bool canRunOn() const;
   [[nodiscard]] Timeline timeline() const;

@@ -50,8 +50,8 @@ void SceneControl::play(EventLog log) {
   scene.integrator = findMethod(log.integrator).name;
   scene.dt = log.dt, scene.precision = log.precision;
   if (scene.columns != log.columns || scene.rows != log.rows) {
-    throw InputError(fmt::format("found a log of {} x {} particles, allowed: {} x {}, as its scene '{}' has", log.columns,
-                                 log.rows, scene.columns, scene.rows, scene.name));
+    throw InputError(fmt::format("found a log of {} x {} particles, allowed: {} x {}, as its scene '{}' has",
+                                 log.columns, log.rows, scene.columns, scene.rows, scene.name));
   }
   Simulation fresh(scene, findMethod(scene.integrator), settings_);
   scene_ = scene;

@@ -167,7 +167,8 @@ void Viewer::resize(Extent pixels, const Insets& insets) {
 }
 
 bool Viewer::idle() const {
-  return run_.resting() && !keys_.repeats() && !keys_.held(LookAround) && !keys_.moves() && !tools_.pressed() && !view_.glides();
+  return run_.resting() && !keys_.repeats() && !keys_.held(LookAround) && !keys_.moves() && !tools_.pressed() &&
+         !view_.glides();
 }
 
 bool Viewer::behind() const { return run_.state() == RunState::Running && pace().behind && !run_.asleep(); }

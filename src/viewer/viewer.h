@@ -77,9 +77,9 @@ class Viewer final : private RunListener {
   LeftDrag leftDrag_ = LeftDrag::Tool;
   glm::vec2 pressedAt_{0};  ///< pixels, where the left button went down
   double pressedTime_ = 0;  ///< s, of the clock
-  int sheet_ = 0;         ///< of scenes_.sheetsSoFar(), the one that the view and the tools are of
-  double lastFrame_ = 0;  ///< s, of the clock
-  bool woken_ = false;    ///< this frame ends an idle time
+  int sheet_ = 0;           ///< of scenes_.sheetsSoFar(), the one that the view and the tools are of
+  double lastFrame_ = 0;    ///< s, of the clock
+  bool woken_ = false;      ///< this frame ends an idle time
   bool leaving_ = false;
 };
 

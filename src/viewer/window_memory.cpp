@@ -38,9 +38,7 @@ bool WindowMemory::read(std::string_view text) {
   return true;
 }
 
-void WindowMemory::complain() {
-  trouble_ = file_->string() + " is not as this window writes it, and is ignored.";
-}
+void WindowMemory::complain() { trouble_ = file_->string() + " is not as this window writes it, and is ignored."; }
 
 std::optional<std::string> WindowMemory::find(std::string_view name) const {
   const auto found = words_.find(name);

@@ -106,7 +106,8 @@ TEST(WorkPrecision, FloatStopsAtItsFloorAndDoubleGoesOn) {
 /// Explicit Euler holds with steps far smaller than those of other methods.
 TEST(WorkPrecision, UntilTwoRunsOfAMethodHaveHeldARunMayTakeSomewhatLonger) {
   StudyPlan plan = planOf({"explicit-euler"});
-  const std::vector<WorkRow> held = rowsOf(studyOf(smoothSheet(), plan), "explicit-euler", Precision::Double, RowStatus::Ok);
+  const std::vector<WorkRow> held =
+      rowsOf(studyOf(smoothSheet(), plan), "explicit-euler", Precision::Double, RowStatus::Ok);
   ASSERT_FALSE(held.empty());
   plan.runBudget = held.front().seconds / 2;
   EXPECT_FALSE(rowsOf(studyOf(smoothSheet(), plan), "explicit-euler", Precision::Double, RowStatus::Ok).empty());

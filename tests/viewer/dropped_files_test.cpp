@@ -9,9 +9,7 @@ namespace {
 
 class DroppedFilesTest : public ViewerTest {
  protected:
-  void drop(const std::filesystem::path& file) {
-    viewer_.handle({.kind = Kind::Drop, .path = file.string()});
-  }
+  void drop(const std::filesystem::path& file) { viewer_.handle({.kind = Kind::Drop, .path = file.string()}); }
   const Folder folder_;
 };
 

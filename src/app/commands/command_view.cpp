@@ -150,7 +150,9 @@ void addViewCommand(CLI::App& app, Action& action) {
         return checkOneOf(text, {"glfw", "glut"});
       })
       .typeName("glfw|glut");
-  command.option("--size", options->size, "Pixels of the window [as it was last, at first 1280x720]").check(checkSize).typeName("WxH");
+  command.option("--size", options->size, "Pixels of the window [as it was last, at first 1280x720]")
+      .check(checkSize)
+      .typeName("WxH");
   command.amount("--ui-scale", options->uiScale, parseScale, "Size of the text, on top of the screen's own scale [1]")
       .typeName("X");
   command.option("--log", options->log, "Write one CSV line a frame here, for scripts that watch the window")

@@ -269,8 +269,9 @@ class ControlPanel final : public Panel {
         ImGui::TableSetColumnIndex(parameter.role == Role::Stiffness ? 1 : 2);
         ImGui::SetNextItemWidth(-1);
         field(parameter, "", wanted);
-        tip(scope, fmt::format("{} in {}, {} in scene files{}", parameter.role == Role::Stiffness ? "stiffness" : "damping",
-                               unitText(parameter.unit), parameter.key, kTyped));
+        tip(scope,
+            fmt::format("{} in {}, {} in scene files{}", parameter.role == Role::Stiffness ? "stiffness" : "damping",
+                        unitText(parameter.unit), parameter.key, kTyped));
       }
     }
     ImGui::EndTable();

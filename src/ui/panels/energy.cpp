@@ -106,7 +106,8 @@ class EnergyPanel final : public Panel {
     runningPlot(scope, {"drift of their sum", "% of the largest energy", kDriftHeight * scope.size, kLeastDrift},
                 series_, drift);
     if (since_ == kNever) return paragraph("Nothing is counted while the cloth has failed.", scope.colours.dim);
-    if (since_ > 0) paragraph(fmt::format("Changes, dissipation and drift: counted since {:.2f} s", since_), scope.colours.dim);
+    if (since_ > 0)
+      paragraph(fmt::format("Changes, dissipation and drift: counted since {:.2f} s", since_), scope.colours.dim);
     bonds(scope, amounts);
   }
 
@@ -256,11 +257,11 @@ class EnergyPanel final : public Panel {
   Viewer* viewer_ = nullptr;  ///< whose ledger is being followed
   RunningSeries series_{kChannels, kWindow};
   WorkNames works_;
-  Ledger ledger_;          ///< with what was dissipated since then:
-  double since_ = kNever;  ///< s
-  double before_ = 0;      ///< J, dissipated until then as the simulation counts
+  Ledger ledger_;                        ///< with what was dissipated since then:
+  double since_ = kNever;                ///< s
+  double before_ = 0;                    ///< J, dissipated until then as the simulation counts
   std::array<float, kChannels> zero_{};  ///< J, of each channel then
-  double most_ = 0;        ///< W, the widest bond
+  double most_ = 0;                      ///< W, the widest bond
 };
 
 }  // namespace

@@ -9,11 +9,10 @@
 namespace tyg {
 
 std::string aboutMethod(const Method& method) {
-  const std::string cost =
-      method.evaluationsPerStep < 0
-          ? "as many force evaluations as it needs"
-          : fmt::format("{} force evaluation{} a step", method.evaluationsPerStep,
-                        method.evaluationsPerStep == 1 ? "" : "s");
+  const std::string cost = method.evaluationsPerStep < 0
+                               ? "as many force evaluations as it needs"
+                               : fmt::format("{} force evaluation{} a step", method.evaluationsPerStep,
+                                             method.evaluationsPerStep == 1 ? "" : "s");
   return fmt::format("{}: {}\norder {}, {}", method.label, method.scheme, method.order, cost);
 }
 

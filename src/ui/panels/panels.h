@@ -18,7 +18,8 @@ class Panels {
 
   /// What the person did, but for keys that go to a text field. A press of the mouse on a panel is ImGui's; a panel's
   /// key opens or closes it, Esc closes the one opened last, Ctrl+Z undoes the last change of the scene, Ctrl+Y and
-  /// Ctrl+Shift+Z do it again, Ctrl+C copies what the panels and the window's foot say. True where that was all; false where the event is for the viewer.
+  /// Ctrl+Shift+Z do it again, Ctrl+C copies what the panels and the window's foot say. True where that was all; false
+  /// where the event is for the viewer.
   bool handle(const WindowEvent& event, Viewer& viewer);
   void toggle(InputAction action);
   [[nodiscard]] bool isOpen(InputAction action) const;
