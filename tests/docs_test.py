@@ -35,7 +35,7 @@ class Truth:
         named = {command: re.findall(r"^  (--[a-z-]+)(?:,(--[a-z-]+))?", text, re.M) for command, text in helps.items()}
         self.options = {command: {name for names in pairs for name in names if name} | {"--help"}
                         for command, pairs in named.items()}
-        self.shared = set.intersection(*(options for command, options in self.options.items() if command != "list"))
+        self.shared = set.intersection(*(each for each in self.options.values() if "--threads" in each))
         self.json_keys = set(json.loads(self.run("run", "spring", "--duration", "0.1", "--json").stdout))
         self.json_keys |= {key for entries in listed.values() for entry in entries for key in entry}
         self.scene_keys = self.ask_scene_keys()

@@ -98,6 +98,7 @@ int parseAndRun(CLI::App& app, std::vector<std::string> words, Wanted wanted) {
   addPlotCommand(app, action);
   addChartCommand(app, action);
   addStabilityCommand(app, action);
+  addLimitCommand(app, action);
   addDietCommand(app, action);
   addAdviseCommand(app, action);
   addListCommand(app, action);

@@ -63,6 +63,11 @@ double parseTime(const std::string& option, const std::string& text, Zero zero) 
   return parsed(option, text, {kUnits, "time", ": seconds, or a number with us, ms or s, such as 4ms", zero});
 }
 
+double parseMass(const std::string& option, const std::string& text) {
+  constexpr std::array<Unit, 4> kUnits{{{"", 1}, {"mg", 1e-6}, {"g", 1e-3}, {"kg", 1}}};
+  return parsed(option, text, {kUnits, "mass", ": kilograms, or a number with mg, g or kg, such as 18g"});
+}
+
 double parseShare(const std::string& option, const std::string& text) {
   constexpr std::array<Unit, 2> kUnits{{{"", 1}, {"%", 0.01}}};
   return parsed(option, text, {kUnits, "share", ": a number, or a number with %, such as 5%"});

@@ -1,4 +1,4 @@
-// Amounts with units as people type them: 5mm, 1%, 4ms. A number alone is in metres or seconds.
+// Amounts with units as people type them: 5mm, 1%, 4ms. A number alone is in metres, seconds or kilograms.
 // Must not know: what they are for.
 #pragma once
 
@@ -12,6 +12,8 @@ enum class Zero { Refused, Allowed };
 double parseLength(const std::string& option, const std::string& text, double size);
 /// A time in s: a number and us, ms, s or nothing. Throws InputError.
 double parseTime(const std::string& option, const std::string& text, Zero zero = Zero::Refused);
+/// A mass above 0 in kg: a number and mg, g, kg or nothing. Throws InputError.
+double parseMass(const std::string& option, const std::string& text);
 /// A share above 0: a number, or a number and %. Throws InputError.
 double parseShare(const std::string& option, const std::string& text);
 /// A number above 0 without a unit. Throws InputError.

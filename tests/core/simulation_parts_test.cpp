@@ -56,9 +56,9 @@ TEST(Replay, RefusesAMethodThatIsNotAmongThoseGiven) {
 }
 
 /// A watch of a sheet at rest, whose scale is the energy of a hundredth of stretch.
-EnergyWatch quietWatch(bool followsLedger) {
+EnergyWatch quietWatch(bool followsLedger, int order = 1) {
   const Scene scene = softSheet(Damping::Relative);
-  return {scene, makeSheet(scene), {}, followsLedger};
+  return {scene, makeSheet(scene), {}, order, followsLedger};
 }
 
 StoredEnergy elastic(double joules) {
@@ -78,6 +78,44 @@ TEST(EnergyWatch, KeepsTheFirstAlarmAndItsTime) {
   watch.check({.time = 4});
   EXPECT_EQ(watch.status(), Status::NotFinite);
   EXPECT_EQ(watch.alarmTime(), 2);
+}
+
+TEST(EnergyWatch, AllowsALowOrderMoreThanAHighOne) {
+  for (const int order : {1, 2, 3, 5}) {
+    EnergyWatch watch = quietWatch(false, order);
+    const double large = watch.ledger({}).scale;
+    watch.check({.stored = elastic(large / 33), .time = 1});
+    EXPECT_EQ(watch.status(), Status::Ok) << order;
+    watch.check({.stored = elastic(large / 31), .time = 2});
+    EXPECT_EQ(watch.status(), order < 3 ? Status::Ok : Status::Unstable) << order;
+    watch.check({.stored = elastic(large / 3.9), .time = 3});
+    EXPECT_EQ(watch.status(), Status::Unstable) << order;
+  }
+}
+
+TEST(EnergyWatch, DoesNotBlameAMethodForTheRisesOfTheOneBefore) {
+  EnergyWatch watch = quietWatch(false, 1);
+  const double large = watch.ledger({}).scale;
+  watch.check({.stored = elastic(large / 5), .time = 1});
+  watch.useOrder(4);
+  watch.check({.stored = elastic(large / 5), .time = 2});
+  EXPECT_EQ(watch.status(), Status::Ok);
+  watch.check({.stored = elastic(large / 4), .time = 3});
+  EXPECT_EQ(watch.status(), Status::Unstable);
+}
+
+TEST(EnergyWatch, CountsWhatDampingTookOverTheLastChecksAlone) {
+  for (const bool isLasting : {false, true}) {
+    EnergyWatch watch = quietWatch(false);
+    const double large = watch.ledger({}).scale;
+    // Damping takes a fifth of the scale in as many checks as are remembered, and the stored energy does not fall.
+    const double power = large / (5 * double(Alarm::kMemory)), factor = isLasting ? 1.5 : 1;
+    for (int check = 1; check <= 100; ++check) {
+      watch.lose(factor * power, check);
+      watch.check({.time = double(check)});
+    }
+    EXPECT_EQ(watch.status(), isLasting ? Status::Unstable : Status::Ok);
+  }
 }
 
 TEST(EnergyWatch, CountsTheDriftFromWhereTheLedgerIsFollowed) {

@@ -50,6 +50,7 @@ void addRenderCommand(CLI::App& app, Action& action);
 void addPlotCommand(CLI::App& app, Action& action);
 void addChartCommand(CLI::App& app, Action& action);
 void addStabilityCommand(CLI::App& app, Action& action);
+void addLimitCommand(CLI::App& app, Action& action);
 void addDietCommand(CLI::App& app, Action& action);
 void addAdviseCommand(CLI::App& app, Action& action);
 void addListCommand(CLI::App& app, Action& action);

@@ -21,38 +21,52 @@ double hundredthStretch(const Scene& scene, const Sheet& sheet) {
 
 }  // namespace
 
+Alarm::Alarm(double floor, double startEnergy, int order, bool touches)
+    : floor_(floor), largest_(startEnergy), order_(order), touches_(touches) {
+  balances_.fill(std::numeric_limits<double>::infinity());
+}
+
+void Alarm::useOrder(int order) {
+  order_ = order;
+  stored_.lowest = std::numeric_limits<double>::infinity();
+}
+
 void Alarm::lose(double power, double time) {
-  const double explained = std::max(0.0, flowedBefore_);
-  lost_ -= std::max(0.0, lost_ - explained) / kMemory;
   const double lasting = std::min(power, lastPower_);
   lost_ += (touches_ ? std::min(lasting, powerBefore_) : lasting) * (time - lastTime_);
-  flowedLately_ *= 1 - 1 / kMemory;
+  flowedLately_ *= 1 - 1.0 / kMemory;
   powerBefore_ = lastPower_, lastPower_ = power, lastTime_ = time;
   lossIsPresent_ = true;
 }
 
 void Alarm::expect(double forcing, double h) { firstSteps_ = std::max(firstSteps_, 5 * forcing * h * h); }
 
-void Alarm::Sum::take(double value, double large, bool first) {
-  lowest = first ? value : std::min(lowest, value);
-  if (value > lowest) largestRise = std::max(largestRise, (value - lowest) / large);
+double Alarm::Sum::riseTo(double value, double large) {
+  lowest = std::min(lowest, value);
+  const double rise = (value - lowest) / large;
+  largestRise = std::max(largestRise, rise);
+  return rise;
 }
 
 Status Alarm::check(const StoredEnergy& energy, double work, double flowing) {
-  const double stored = energy.sum() - work;
-  if (!std::isfinite(stored + lost_)) return Status::NotFinite;
+  const double stored = energy.sum() - work, balance = stored + lost_;
+  if (!std::isfinite(balance)) return Status::NotFinite;
   if (checked_) flowedLately_ += std::abs(flowing - flowedBefore_);
   flowedBefore_ = flowing;
   largest_ = std::max({largest_, energy.sizeSinceStart(), std::abs(work - flowing), flowedLately_});
   const double large = scale() + firstSteps_;
-  stored_.take(stored, large, !checked_);
-  if (lossIsPresent_) balance_.take(stored + lost_, large, !checked_);
+  bool rises = stored_.riseTo(stored, large) > (order_ >= 3 ? kThresholdOfHighOrder : kThreshold);
+  if (lossIsPresent_) {
+    balance_.lowest = std::ranges::min(balances_);
+    rises = balance_.riseTo(balance, large) > kThreshold || rises;
+    balances_[balancesTaken_++ % kMemory] = balance;
+  }
   checked_ = true, lossIsPresent_ = false;
-  return std::max(storedRise(), balanceRise()) > kThreshold ? Status::Unstable : Status::Ok;
+  return rises ? Status::Unstable : Status::Ok;
 }
 
-Alarm makeAlarm(const Scene& scene, const Sheet& sheet, const StoredEnergy& start) {
-  return {hundredthStretch(scene, sheet), start.withNaturalZero(), !scene.bodies.empty()};
+Alarm makeAlarm(const Scene& scene, const Sheet& sheet, const StoredEnergy& start, int order) {
+  return {hundredthStretch(scene, sheet), start.withNaturalZero(), order, !scene.bodies.empty()};
 }
 
 }  // namespace tyg

@@ -61,7 +61,7 @@ EnergyWatch::Named EnergyWatch::namedIn(const Scene& scene) {
 void EnergyWatch::begin(const Scene& scene, const Sheet& sheet, const StoredEnergy& start, const StoredEnergy& now) {
   start_ = start;
   named_ = namedIn(scene);
-  alarm_ = makeAlarm(scene, sheet, now);
+  alarm_ = makeAlarm(scene, sheet, now, alarm_.order());
 }
 
 void EnergyWatch::giveUp(double time) {

@@ -29,9 +29,10 @@ struct EnergySample {
 
 class EnergyWatch {
  public:
-  /// `start`: the energies of the start shape. `followsLedger`: whether what is dissipated is followed from there.
-  EnergyWatch(const Scene& scene, const Sheet& sheet, const StoredEnergy& start, bool followsLedger)
-      : alarm_(makeAlarm(scene, sheet, start)),
+  /// `start`: the energies of the start shape; `order` of the method. `followsLedger`: whether what is dissipated is
+  /// followed from there.
+  EnergyWatch(const Scene& scene, const Sheet& sheet, const StoredEnergy& start, int order, bool followsLedger)
+      : alarm_(makeAlarm(scene, sheet, start, order)),
         start_(start),
         startSum_(start.withNaturalZero()),
         named_(namedIn(scene)),
@@ -41,7 +42,8 @@ class EnergyWatch {
   void check(const EnergySample& sample);
   /// The same with the energies as a caller gets them.
   Ledger ledger(const EnergySample& sample);
-  /// See Alarm::expect and Alarm::lose.
+  /// See Alarm::useOrder, Alarm::expect and Alarm::lose.
+  void useOrder(int order) { alarm_.useOrder(order); }
   void expect(double forcing, double h) { alarm_.expect(forcing, h); }
   void lose(double power, double time) { alarm_.lose(power, time); }
 

@@ -24,7 +24,7 @@ struct Run {
         pushes(scene, sheet),
         pins(scene, sheet),
         changes(scene, sheet),
-        energies(scene, sheet, start, followsLedger),
+        energies(scene, sheet, start, startMethod.order, followsLedger),
         log(beginLog(scene, startMethod.name)) {}
 
   const Method* method;

@@ -43,6 +43,7 @@ void Simulation::Impl::perform(const MethodEvent& change, std::span<const Method
   const Method& method = methodNamed(change.method, methods);
   backend->useMethod(method);
   run.method = &method;
+  run.energies.useOrder(method.order);
 }
 
 void Simulation::Impl::perform(const StepEvent& change, std::span<const Method> /*methods*/) {

@@ -116,14 +116,12 @@ struct ContactTerm {
                                 .push = math.all(numbers.force) * s,
                                 .approach = math.dot(relative, depth.normal),
                                 .slip = {},
-                                .damping = math.all(numbers.damping) * (s / (s + math.all(T(0.5)))),
+                                .damping = {},
                                 .friction = {}};
-    if constexpr (rubs) {
-      touch.slip = relative - touch.approach * depth.normal;
-      const Number slow = math.all(numbers.slip) * touch.push;
-      const Number squared = (math.dot(touch.slip, touch.slip) + slow * slow) + math.all(kTinySpeed<T>);
-      touch.friction = math.all(numbers.friction) * touch.push / math.root(squared);
-    }
+    if constexpr (rubs) touch.slip = relative - touch.approach * depth.normal;
+    const auto against = againstOf<rubs>(
+        math, s, touch.push, [&] { return math.dot(touch.slip, touch.slip); }, numbers);
+    touch.damping = against.damping, touch.friction = against.friction;
     return touch;
   }
   /// The force of a level plane, whose normal points straight up or down: what touchOf() says, with nothing to project.
@@ -135,12 +133,10 @@ struct ContactTerm {
     const Number s = isFree * stepOf(math, math.all(numbers.perLayer) * (math.all(solid.radius) - up * place.y));
     const Vector relative = velocity - math.all3(solid.velocity);
     const Number push = math.all(numbers.force) * s;
-    const Number damping = math.all(numbers.damping) * (s / (s + math.all(T(0.5))));
-    const Number along = up * push - damping * relative.y;
+    const auto against = againstOf<rubs>(
+        math, s, push, [&] { return relative.x * relative.x + relative.z * relative.z; }, numbers);
+    const Number along = up * push - against.damping * relative.y, friction = against.friction;
     if constexpr (!rubs) return {math.all(0), along, math.all(0)};
-    const Number slow = math.all(numbers.slip) * push;
-    const Number squared = relative.x * relative.x + relative.z * relative.z + slow * slow + math.all(kTinySpeed<T>);
-    const Number friction = math.all(numbers.friction) * push / math.root(squared);
     return {-(friction * relative.x), along, -(friction * relative.z)};
   }
   /// The stiffness of a body's push, which pushes to the depth `below`, N/m.
@@ -226,6 +222,22 @@ struct ContactTerm {
   [[gnu::always_inline]] static Number stepOf(const Math& math, const Number& u) {
     const Number c = clamped(math, u), square = c * c;
     return (square * square) * ((c - math.all(3)) * c + math.all(2.5F)) + (math.larger(u, math.all(0)) - c);
+  }
+  /// N s/m, along the normal and along the surface.
+  template <class Number>
+  struct Against {
+    Number damping, friction;
+  };
+  /// `squaredSlip()`: of the speed along the surface, m2/s2. Both are fractions, and share one division.
+  template <bool rubs, class Math, class Number, class SquaredSlip, class T>
+  [[gnu::always_inline]] static Against<Number> againstOf(const Math& math, const Number& s, const Number& push,
+                                                          const SquaredSlip& squaredSlip, const Numbers<T>& numbers) {
+    const Number whole = s + math.all(T(0.5)), damping = math.all(numbers.damping) * s;
+    if constexpr (!rubs) return {damping / whole, math.all(T(0))};
+    const Number slow = math.all(numbers.slip) * push;
+    const Number speed = math.root((squaredSlip() + slow * slow) + math.all(kTinySpeed<T>));
+    const Number inverse = math.all(T(1)) / (whole * speed);
+    return {damping * (speed * inverse), (math.all(numbers.friction) * push) * (whole * inverse)};
   }
   /// P(u), the integral of S: beyond the layer with S = 1/2 + (u - 1).
   template <class Math, class Number>
