@@ -14,7 +14,7 @@ fi
 
 tyg=$(readlink -f "$tyg") work=$(mktemp -d)
 cd "$work"
-export XDG_STATE_HOME=$work/state
+export XDG_STATE_HOME=$work/state XDG_CONFIG_HOME=$work/config
 log=$work/view.csv record=$work/record.csv
 cleanup() {
   if [[ -n ${viewer:-} ]]; then kill "$viewer" 2>/dev/null || true; fi

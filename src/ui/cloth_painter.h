@@ -24,9 +24,13 @@ class ClothPainter {
   void draw(const Viewer& viewer, Panels& panels, Extent window);
 
  private:
+  const Sheet& withoutHeld(const ShownState& shown);
+
   std::unique_ptr<SheetRenderer> renderer_;
   std::unique_ptr<SheetRenderer> ghost_;  ///< its springs may differ; null until one is shown
-  std::vector<Body> bodies_;              ///< as shown
+  Sheet sheetWithoutHeld_;
+  std::vector<float> against_;  ///< of each particle, which way it is moved against its neighbours
+  std::vector<Body> bodies_;    ///< as shown
   float scale_;
   int sheet_;  ///< of SceneControl::sheetsSoFar(), the one that the renderer is for
 };

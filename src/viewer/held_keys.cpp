@@ -14,7 +14,7 @@ constexpr double kRepeatAfter = 0.35, kRepeatEvery = 0.05;
 bool repeatsItself(InputAction action) {
   return action == StepBack || action == Step || action == SmallerStep || action == LargerStep;
 }
-bool lasts(InputAction action) { return action == LookAround || (action >= MoveForward && action <= MoveUp); }
+bool lasts(InputAction action) { return action == LookAround || (action >= MoveForward && action <= LookDown); }
 
 }  // namespace
 
@@ -45,17 +45,18 @@ Motion HeldKeys::motion() const {
     return held(action) || due_.at(static_cast<std::size_t>(action)) > 0 ? 1.0F : 0.0F;
   };
   const auto along = [&](InputAction plus, InputAction minus) { return acts(plus) - acts(minus); };
-  return {.right = along(MoveRight, MoveLeft), .up = along(MoveUp, MoveDown), .forward = along(MoveForward, MoveBack)};
+  return {.right = along(MoveRight, MoveLeft),
+          .up = along(MoveUp, MoveDown),
+          .forward = along(MoveForward, MoveBack),
+          .lookRight = along(LookRight, LookLeft),
+          .lookUp = along(LookUp, LookDown)};
 }
 
 void HeldKeys::moved(double seconds) {
   for (double& due : due_) due = std::max(0.0, due - seconds);
 }
 
-bool HeldKeys::moves() const {
-  const Motion way = motion();
-  return way.right != 0 || way.up != 0 || way.forward != 0;
-}
+bool HeldKeys::moves() const { return motion() != Motion{}; }
 
 std::optional<InputAction> HeldKeys::due(double now) {
   if (!repeated_ || now < repeatAt_) return std::nullopt;

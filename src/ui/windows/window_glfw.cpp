@@ -35,16 +35,19 @@ class Library {
 };
 
 /// Letters follow the person's keyboard layout; digits, space, Tab and Escape are where they are on any.
-KeyCode keyCode(int key, int scancode) {
+KeyCode keyCode(int key, int scancode, bool shift) {
   if (key == GLFW_KEY_ESCAPE) return kEscapeKey;
   if (key == GLFW_KEY_TAB) return kTabKey;
   if (key >= GLFW_KEY_F1 && key < GLFW_KEY_F1 + kFunctionKeys) {
-    return static_cast<KeyCode>(kFirstFunctionKey + key - GLFW_KEY_F1);
+    return functionKey(key - GLFW_KEY_F1 + 1);
   }
+  constexpr std::array kArrows{kRightKey, kLeftKey, kDownKey, kUpKey};  // GLFW's order
+  if (key >= GLFW_KEY_RIGHT && key <= GLFW_KEY_UP) return kArrows[static_cast<std::size_t>(key - GLFW_KEY_RIGHT)];
   if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) return kEnterKey;
   if (key == GLFW_KEY_SPACE || (key >= GLFW_KEY_0 && key <= GLFW_KEY_9)) return static_cast<KeyCode>(key);
   const char* name = key == GLFW_KEY_UNKNOWN ? nullptr : glfwGetKeyName(key, scancode);
   if (name != nullptr && name[0] != 0 && name[1] == 0) {
+    if (shift && name[0] == '/') return '?';
     return name[0] >= 'a' && name[0] <= 'z' ? static_cast<KeyCode>(name[0] - 'a' + 'A') : name[0];
   }
   return key > GLFW_KEY_SPACE && key <= GLFW_KEY_GRAVE_ACCENT ? static_cast<KeyCode>(key) : KeyCode{0};
@@ -84,6 +87,7 @@ class GlfwWindow final : public Window {
     glfwSetScrollCallback(window_, onScroll);
     glfwSetWindowFocusCallback(window_, onFocus);
     glfwSetWindowRefreshCallback(window_, onExposed);
+    glfwSetDropCallback(window_, onDrop);
   }
   ~GlfwWindow() override { glfwDestroyWindow(window_); }
   GlfwWindow(const GlfwWindow&) = delete;
@@ -173,10 +177,11 @@ class GlfwWindow final : public Window {
     if (action == GLFW_REPEAT) return;
     of(window).tellOverlay(key, action == GLFW_PRESS, modifiers);
     const auto kind = action == GLFW_PRESS ? WindowEvent::Kind::Press : WindowEvent::Kind::Release;
+    const bool shift = (modifiers & GLFW_MOD_SHIFT) != 0;
     of(window).events_.push_back({.kind = kind,
-                                  .key = keyCode(key, scancode),
+                                  .key = keyCode(key, scancode, shift),
                                   .control = (modifiers & GLFW_MOD_CONTROL) != 0,
-                                  .shift = (modifiers & GLFW_MOD_SHIFT) != 0});
+                                  .shift = shift});
   }
   static void onButton(GLFWwindow* window, int button, int action, int modifiers) {
     of(window).inputs_.button(button, action == GLFW_PRESS);
@@ -216,6 +221,9 @@ class GlfwWindow final : public Window {
     if (focused == 0) of(window).events_.push_back({.kind = WindowEvent::Kind::FocusLost});
   }
   static void onExposed(GLFWwindow* window) { of(window).events_.push_back({.kind = WindowEvent::Kind::Exposed}); }
+  static void onDrop(GLFWwindow* window, int count, const char** paths) {
+    if (count > 0) of(window).events_.push_back({.kind = WindowEvent::Kind::Drop, .path = paths[0]});
+  }
 
   Library library_;
   GLFWwindow* window_;

@@ -170,11 +170,11 @@ class GlutWindow final : public Window {
     });
     glutSpecialFunc([](int key, int x, int y) {
       theWindow->tellOverlay(kSpecial + key, true, [&] { ImGui_ImplGLUT_SpecialFunc(key, x, y); });
-      theWindow->functionKey(WindowEvent::Kind::Press, key);
+      theWindow->specialKey(WindowEvent::Kind::Press, key);
     });
     glutSpecialUpFunc([](int key, int x, int y) {
       theWindow->tellOverlay(kSpecial + key, false, [&] { ImGui_ImplGLUT_SpecialUpFunc(key, x, y); });
-      theWindow->functionKey(WindowEvent::Kind::Release, key);
+      theWindow->specialKey(WindowEvent::Kind::Release, key);
     });
     glutMouseFunc([](int button, int state, int x, int y) { theWindow->button(button, state, x, y); });
     glutMouseWheelFunc([](int wheel, int direction, int x, int y) {
@@ -226,9 +226,19 @@ class GlutWindow final : public Window {
     }
     if (down && (writes || (code > kDelete && code < kSpecial))) inputs_.text(static_cast<unsigned>(code));
   }
-  void functionKey(WindowEvent::Kind kind, int key) {
-    if (key < GLUT_KEY_F1 || key >= GLUT_KEY_F1 + kFunctionKeys) return;
-    events_.push_back({.kind = kind, .key = static_cast<KeyCode>(kFirstFunctionKey + key - GLUT_KEY_F1)});
+  void specialKey(WindowEvent::Kind kind, int key) {
+    constexpr std::array kArrows{kLeftKey, kUpKey, kRightKey, kDownKey};  // freeglut's order
+    KeyCode code = 0;
+    if (key >= GLUT_KEY_F1 && key < GLUT_KEY_F1 + kFunctionKeys) code = functionKey(key - GLUT_KEY_F1 + 1);
+    if (key >= GLUT_KEY_LEFT && key <= GLUT_KEY_DOWN) code = kArrows[static_cast<std::size_t>(key - GLUT_KEY_LEFT)];
+    if (code == 0) return;
+    count(kind);
+    events_.push_back({.kind = kind, .key = code});
+  }
+  /// While any key is down the focus is watched.
+  void count(WindowEvent::Kind kind) {
+    keysDown_ = std::max(0, keysDown_ + (kind == WindowEvent::Kind::Press ? 1 : -1));
+    if (keysDown_ == 1 && kind == WindowEvent::Kind::Press) focus_ = focusNow();
   }
   void key(WindowEvent::Kind kind, unsigned char character) {
     const int modifiers = glutGetModifiers();
@@ -239,9 +249,7 @@ class GlutWindow final : public Window {
     const auto code = static_cast<KeyCode>(lower ? character - 'a' + 'A' : character);
     // Control characters below space would read as mouse buttons.
     if (character < ' ' && code != kEscapeKey && code != kEnterKey && code != kTabKey) return;
-    keysDown_ += kind == WindowEvent::Kind::Press ? 1 : -1;
-    if (keysDown_ <= 0) keysDown_ = 0;
-    if (keysDown_ == 1 && kind == WindowEvent::Kind::Press) focus_ = focusNow();
+    count(kind);
     events_.push_back({.kind = kind, .key = code, .control = control, .shift = (modifiers & GLUT_ACTIVE_SHIFT) != 0});
   }
 
