@@ -4,6 +4,7 @@
 
 uniform vec3 eye;            // m
 uniform vec3 colour;
+uniform float opacity;       // 0..1
 uniform vec3 ramp[5];
 uniform vec2 perCell;        // threads, checks or images to a cell of the sheet, across and down
 uniform sampler2D image;
@@ -68,5 +69,5 @@ void main() {
 #if PATTERN == NUMBERS
   light = mix(vec3(1), light, 0.4);  // colours tell them
 #endif
-  painted = vec4(min(ownColour() * light, 1.0), 1);
+  painted = vec4(min(ownColour() * light, 1.0), opacity);
 }

@@ -7,6 +7,7 @@ layout(location = 2) in vec2 place;     // beside cuts: column and row
 layout(location = 3) in uint particle;  // beside cuts: whose colour it has
 uniform mat4 view;
 uniform mat4 projection;
+uniform vec2 aside;                     // by how much it is drawn beside its place; the picture is two wide and high
 uniform int columns;                    // of the sheet
 uniform bool besideCut;
 uniform samplerBuffer values;           // a number of each particle
@@ -27,4 +28,5 @@ void main() {
   point = position;
   facing = normal;
   gl_Position = projection * view * vec4(position, 1);
+  gl_Position.xy += gl_Position.w * aside;
 }

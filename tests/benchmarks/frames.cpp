@@ -38,8 +38,10 @@ struct Row {
   std::vector<InputAction> panels{};
   int side = 0;          ///< particles along each edge of a sheet that waits for its start; 0: the scene's own, moving
   bool turning = false;  ///< the camera moves
+  Look look{};
 };
 const std::vector<Row>& rows() {
+  static const Look kWoven{.show = Show::Surface, .weave = Weave::Plain};
   static const std::vector<Row> kRows{
       {"curtain, keys shown", "curtain"},
       {"curtain, keys hidden", "curtain", {1280, 720}, {ShowHelp}},
@@ -50,6 +52,9 @@ const std::vector<Row>& rows() {
       {"ball, a floor and a body", "ball"},
       {"curtain, 64x64 particles", "curtain", {1280, 720}, {}, {}, 64},
       {"curtain, 256x256 particles", "curtain", {1280, 720}, {}, {}, 256},
+      {"surface, 64x64 particles", "curtain", {1280, 720}, {}, {}, 64, false, {.show = Show::Surface}},
+      {"woven surface, 64x64 particles", "curtain", {1280, 720}, {}, {}, 64, false, kWoven},
+      {"woven surface, 256x256 particles", "curtain", {1280, 720}, {}, {}, 256, false, kWoven},
   };
   return kRows;
 }
@@ -128,7 +133,8 @@ double medianOf(std::vector<double> numbers) {
 }
 
 Scene sceneOf(const Row& row) {
-  const Scene scene = loadScene(row.scene, methodNames());
+  Scene scene = loadScene(row.scene, methodNames());
+  if (row.look != Look{}) scene.look = row.look;
   return row.side > 0 ? withSheet(scene, row.side, row.side) : scene;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "gfx/passes/kept_picture.h"
 #include "gfx/picture.h"
 #include "tyg/input_error.h"
 
@@ -13,7 +14,10 @@ namespace {
 
 constexpr float kThreads = 128, kChecks = 12;     // along the larger side of the sheet
 constexpr float kBehind = 1.5F, kBehindFlat = 2;  // as glPolygonOffset takes them
-enum TextureUnit { ValuesUnit = 0, ImageUnit };   // in which the shaders find their textures
+constexpr int kMostSmooth = 128 * 128;  // particles of a sheet whose outline is softened: of others it takes too long
+constexpr glm::vec2 kCopiesAside{0.7F, 1};       // half pixels; few edges have that direction, which stay sharp
+constexpr float kSoft = 0.4F;                    // opacity of each of the copies that soften it
+enum TextureUnit { ValuesUnit = 0, ImageUnit };  // in which the shaders find their textures
 
 glm::vec3 vec(const Vec3& v) { return {float(v.x), float(v.y), float(v.z)}; }
 
@@ -45,8 +49,23 @@ void SurfacePass::draw(const Frame& frame) {
   if (pattern == Pattern::Image) bindTexture(ImageUnit, GL_TEXTURE_2D, objects_->image.name());
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(kBehind, kBehindFlat);
+  program.set("opacity", 1.0F);
+  program.set("aside", glm::vec2(0));
   canvas_.cloth.draw(program);
+  if (canvas_.sheet.count() <= kMostSmooth && KeptPicture::possible()) drawSoftEdges(frame, program);
   glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+/// Two copies behind the surface, half a pixel beside it: only what is past its outline is seen of them.
+void SurfacePass::drawSoftEdges(const Frame& frame, const GlProgram& program) const {
+  program.set("opacity", kSoft);
+  glPolygonOffset(kBehind + 1, kBehindFlat + 4);
+  glDepthMask(GL_FALSE);
+  for (const float sign : {1.0F, -1.0F}) {
+    program.set("aside", sign * kCopiesAside / frame.pixels);
+    canvas_.cloth.draw(program);
+  }
+  glDepthMask(GL_TRUE);
 }
 
 const GlProgram& SurfacePass::use(Pattern pattern) {

@@ -25,6 +25,7 @@ class SurfacePass final : public Pass {
     GlTexture valueTexture, image;
   };
   [[nodiscard]] const GlProgram& use(Pattern pattern);
+  void drawSoftEdges(const Frame& frame, const GlProgram& program) const;
   [[nodiscard]] bool uploadValues(const Frame& frame);
   [[nodiscard]] Pattern patternOf(const Look& look);
   [[nodiscard]] glm::vec2 perCell(Pattern pattern) const;
