@@ -208,8 +208,7 @@ void addLegend(const Layout& layout, ChartScript& script) {
 /// The method's mark, hollow and with a cross in it, where a run that failed was last seen.
 void addCrosses(const TrajectoryStudy& study, std::size_t coordinate, std::size_t p, const Range& shown,
                 ChartScript& script) {
-  for (std::size_t k = 0; k < study.runs.size(); ++k) {
-    const Trajectory& run = study.runs[k];
+  for (const Trajectory& run : study.runs) {
     if (run.status == Status::Ok) continue;
     const double last = run.paths[p].back().*kCoordinates.at(coordinate);
     const double height = std::isfinite(last) ? std::clamp(last, shown.low, shown.high) : shown.high;
