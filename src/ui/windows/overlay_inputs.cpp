@@ -90,6 +90,9 @@ void OverlayInputs::give(ImGuiIO& io) {
     given.wheel = given.wheel || input.kind == Kind::Wheel;
     waiting_.pop_front();
   }
+  // A click takes two frames: where those are slow, so is a double click.
+  constexpr float kDoubleClick = 0.3F;  // s
+  io.MouseDoubleClickTime = kDoubleClick + 3 * io.DeltaTime;
   std::ranges::copy(buttons_, io.MouseDown);
   if (moved_) io.MousePos = {x_, y_};
 }
