@@ -43,7 +43,7 @@ struct ViewOptions {
 /// Pixels: as asked for, else as remembered, else the usual size.
 std::string sizeOf(const ViewOptions& options, WindowMemory& memory) {
   if (options.size) return *options.size;
-  const std::string remembered = memory.find("size").value_or(kUsualSize);
+  std::string remembered = memory.find("size").value_or(kUsualSize);
   if (checkSize(remembered).empty()) return remembered;
   memory.refuse("size");
   return kUsualSize;
