@@ -1,0 +1,273 @@
+// Most tries end after the first times, at which two different programs are already apart. What is left is run to the
+// end, with a twin beside it where rounding errors may have grown.
+#include "study/check/explanation_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "study/limits/stability.h"
+#include "study/motion/error.h"
+#include "tyg/methods.h"
+
+namespace tyg {
+namespace {
+
+constexpr double kSame = 1e-9;       // of the size: two programs that do the same are as near as this ...
+constexpr double kRounding = 1e-13;  // ... but for their rounding errors, of the size, times the amplification
+constexpr double kLost = 1e6;        // an amplification past which nothing can be told
+constexpr double kNear = kRounding * kLost * 10;  // of the size
+constexpr double kMoved = 0.01;                   // of the size: so far the sheet has moved by the first times
+constexpr double kMostEffort = 2e9;               // evaluations of one spring, a few ns each
+constexpr double kFar = 30;                       // a model so many times as far away as the truth explains nothing
+constexpr std::size_t kMostToTheEnd = 24, kFirstSingles = 8, kMostPairs = 30, kKept = 4;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// How many samples a try is run to at first: until the sheet has moved, and not more than a third of all.
+std::size_t firstSamples(const GivenMotion& motion, double size) {
+  const std::size_t least = motion.times.front() > 0 ? 1 : 2, all = motion.times.size();
+  std::size_t first = std::min(all, least);
+  const auto moved = [&] { return distanceBetween(motion.positions[first - 1], motion.positions.front()).rms; };
+  while (first < std::max(least, all / 3) && moved() < kMoved * size) ++first;
+  return std::min(first, all);
+}
+
+}  // namespace
+
+ExplanationSearch::ExplanationSearch(const Scene& scene, const GivenMotion& motion, std::optional<double> step,
+                                     std::function<bool(double)> goesOn)
+    : scene_(scene), motion_(motion), goesOn_(std::move(goesOn)), size_(makeSheet(scene).size()) {
+  plain_.scene = scene;
+  first_ = firstSamples(motion, size_);
+  if (step) {
+    if (!stepCounts(motion, *step).empty()) likely_ = {*step};
+    return;
+  }
+  Steps usual{scene.dt};
+  for (const double decade : {1e-4, 1e-3, 1e-2}) {
+    for (const double factor : {1.0, 2.0, 2.5, 4.0, 5.0}) usual.push_back(factor * decade);
+  }
+  // `tyg run` cuts its steps so that they end on the samples.
+  if (const double gap = motion.times.back() / double(motion.times.size()); gap > scene.dt) {
+    usual.push_back(gap / std::ceil(gap / scene.dt - 1e-9));
+  }
+  constexpr double kLikely = 0.02;
+  for (const double dt : stepsOnto(motion, usual)) {
+    const bool everyStepWritten = likely_.empty() && others_.empty() && dt <= kLikely;
+    (everyStepWritten || std::abs(dt - scene.dt) <= 1e-9 * dt ? likely_ : others_).push_back(dt);
+  }
+}
+
+bool ExplanationSearch::spend(double cost) {
+  spent_ += cost;
+  ++tries_;
+  if (goesOn_ && !goesOn_(std::min(1.0, spent_ / kMostEffort))) stopped_ = true;
+  return !stopped_ && spent_ <= kMostEffort;
+}
+
+double ExplanationSearch::distanceOf(const Trial& trial, std::size_t samples, double enough) {
+  if (!spend(costOf(trial, motion_, samples))) return kInfinity;
+  const auto goesOn = [this] { return !goesOn_ || goesOn_(std::min(1.0, spent_ / kMostEffort)); };
+  const Fit fit = fitOf(trial, motion_, {.samples = samples, .enough = enough, .goesOn = goesOn});
+  stopped_ = stopped_ || fit.stopped;
+  return fit.upTo(samples);
+}
+
+/// m: how far two programs that do the same may be apart where nothing is amplified.
+double ExplanationSearch::unamplified(std::size_t sample) const {
+  return std::max(kSame * size_, motion_.rounding[sample]);
+}
+
+/// m: what is further away at the first times is something else.
+double ExplanationSearch::near() const { return std::max(kNear * size_, 2 * unamplified(first_ - 1)); }
+
+/// A try whose own error is small beside what mistakes do.
+std::optional<Trial> ExplanationSearch::accurate(const Model& model) const {
+  const Method& rk4 = findMethod("rk4");
+  const double limit = unboundedLimit(model.scene, rk4) / 2;
+  const Steps* steps[] = {&likely_, &others_};
+  double best = 0, least = kInfinity;
+  for (const Steps* list : steps) {
+    for (const double dt : *list) {
+      least = std::min(least, dt);
+      if (!(dt > limit)) best = std::max(best, dt);
+    }
+  }
+  if (std::isinf(least)) return std::nullopt;
+  if (best == 0) best = least / std::ceil(least / limit);
+  Way way{&rk4, nullptr};
+  if (!model.isScene()) {
+    way = {nullptr, &*std::ranges::find(studentMethods(), "rk4", &StudentMethod::name)};
+  }
+  return Trial{&model, way, best};
+}
+
+void ExplanationSearch::tryAll(const Model& model, Breadth breadth, const Steps& steps, double enough,
+                               std::vector<Tried>& tried) {
+  constexpr double kDear = 1e8;
+  for (const double dt : steps) {
+    for (const Way& way : waysOf(model, breadth)) {
+      const Trial trial{&model, way, dt};
+      if (costOf(trial, motion_, first_) > kDear) continue;
+      const double distance = distanceOf(trial, first_, enough);
+      if (stopped_) return;
+      if (std::isfinite(distance)) tried.push_back({&model, trial, distance});
+    }
+  }
+}
+
+/// Runs a try to the end, with a twin where it drifts away by little.
+Explanation ExplanationSearch::judged(const Trial& trial) {
+  const std::size_t all = motion_.times.size();
+  Explanation of{.model = *trial.model, .way = trial.way, .dt = trial.dt};
+  const double cost = costOf(trial, motion_, all);
+  const auto goesOn = [this] { return !goesOn_ || goesOn_(std::min(1.0, spent_ / kMostEffort)); };
+  const auto runs = [&](bool twin) {
+    spend(twin ? 2 * cost : cost);
+    const Fit fit = fitOf(trial, motion_, {.samples = all, .twin = twin, .goesOn = goesOn});
+    stopped_ = stopped_ || fit.stopped;
+    return fit;
+  };
+  const auto judge = [&](const Fit& fit) {
+    std::size_t k = 0;
+    of.exact = true, of.distance = 0;
+    for (; k < fit.distances.size(); ++k) {
+      const double amplification = fit.amplification.empty() ? 0 : fit.amplification[k];
+      if (amplification > kLost && k >= first_) break;
+      of.distance = std::max(of.distance, fit.distances[k]);
+      of.exact = of.exact && fit.distances[k] <= std::max(unamplified(k), kRounding * size_ * amplification);
+    }
+    of.exact = of.exact && k >= first_;
+    of.judgedUpTo = k > 0 ? motion_.times[k - 1] : 0;
+    if (k == 0 || (fit.amplification.empty() && k < all)) of.distance = kInfinity, of.exact = false;
+  };
+  const Fit alone = runs(false);
+  judge(alone);
+  const bool startsWell =
+      alone.upTo(std::min(first_, alone.distances.size())) <= 1e-6 * size_ + unamplified(first_ - 1);
+  if (of.exact || !startsWell || stopped_) return of;
+  const double distance = of.distance;
+  judge(runs(true));
+  if (!of.exact) of.distance = distance, of.judgedUpTo = motion_.times.back();
+  return of;
+}
+
+/// Of those that are near at the first times, the nearest that stays so.
+std::optional<Explanation> ExplanationSearch::exactOf(std::vector<Tried>& tried) {
+  std::ranges::stable_sort(tried, {}, &Tried::distance);
+  std::optional<Explanation> best;
+  for (std::size_t k = 0; k < std::min(tried.size(), kMostToTheEnd) && !stopped_; ++k) {
+    if (tried[k].distance > near()) break;
+    const Explanation of = judged(tried[k].trial);
+    if (of.exact && (!best || of.distance < best->distance)) best = of;
+  }
+  return best;
+}
+
+std::optional<Explanation> ExplanationSearch::nearestOf(std::vector<Tried>& tried) {
+  std::ranges::stable_sort(tried, {}, &Tried::distance);
+  std::optional<Explanation> nearest;
+  for (std::size_t k = 0; k < std::min(tried.size(), kKept) && !stopped_; ++k) {
+    const Explanation of = judged(tried[k].trial);
+    if (!nearest || of.distance < nearest->distance) nearest = of;
+  }
+  return nearest;
+}
+
+std::optional<Explanation> ExplanationSearch::right() {
+  std::vector<Tried> tried;
+  for (const Method& method : methods()) {
+    if (!method.adaptive) continue;
+    const Trial trial{&plain_, {&method, nullptr}, 0};
+    const double distance = distanceOf(trial, first_, kInfinity);
+    if (std::isfinite(distance)) tried.push_back({&plain_, trial, distance});
+  }
+  tryAll(plain_, Breadth::All, likely_, kInfinity, tried);
+  std::optional<Explanation> found = exactOf(tried);
+  if (found || stopped_) return found;
+  tryAll(plain_, Breadth::Students, others_, kInfinity, tried);
+  found = exactOf(tried);
+  if (found || stopped_) return found;
+  tryAll(plain_, Breadth::All, others_, kInfinity, tried);
+  found = exactOf(tried);
+  return found || stopped_ ? found : nearestOf(tried);
+}
+
+/// The models by how near they are when they are run accurately, without those that are further away than `atMost`.
+std::vector<Model> ExplanationSearch::ranked(std::vector<Model> models, double atMost, std::size_t most) {
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t k = 0; k < models.size() && !stopped_; ++k) {
+    const std::optional<Trial> trial = accurate(models[k]);
+    const double distance = trial ? distanceOf(*trial, first_, kInfinity) : kInfinity;
+    const bool dependsOnStep = !models[k].isScene();
+    if (distance <= atMost || dependsOnStep) order.emplace_back(distance, k);
+  }
+  std::ranges::sort(order);
+  if (order.size() > most) order.resize(most);
+  std::vector<Model> sorted;
+  for (const auto& [distance, k] : order) sorted.push_back(std::move(models[k]));
+  return sorted;
+}
+
+std::vector<Model> ExplanationSearch::pairsOf(const std::vector<Model>& singles) const {
+  std::vector<Model> pairs;
+  for (std::size_t k = 0; k < std::min(singles.size(), kFirstSingles); ++k) {
+    for (std::size_t other = 0; other < singles.size(); ++other) {
+      const Mistake &one = *singles[k].made.front(), &two = *singles[other].made.front();
+      const bool isSecondTime = other < kFirstSingles && other <= k;
+      if (one.kind == two.kind || isSecondTime) continue;
+      // In the order of the table, so that the pair has one name.
+      Model pair = &one < &two ? withMistake(singles[k], two) : withMistake(singles[other], one);
+      if (pair.made.size() == 2) pairs.push_back(std::move(pair));
+    }
+  }
+  return pairs;
+}
+
+std::optional<Explanation> ExplanationSearch::search(const std::vector<Model>& models, const Steps& steps) {
+  for (const Model& model : models) {
+    std::vector<Tried> tried;
+    tryAll(model, Breadth::Students, steps, near(), tried);
+    if (stopped_ || spent_ > kMostEffort) return std::nullopt;
+    if (const std::optional<Explanation> found = exactOf(tried)) return found;
+  }
+  return std::nullopt;
+}
+
+std::optional<Explanation> ExplanationSearch::mistaken(double fromTruth) {
+  std::vector<Model> models;
+  for (const Mistake& mistake : mistakes()) {
+    Model model = withMistake(plain_, mistake);
+    if (!model.made.empty()) models.push_back(std::move(model));
+  }
+  const double atMost = kFar * fromTruth;
+  singles_ = ranked(std::move(models), atMost, mistakes().size());
+  std::optional<Explanation> found = search(singles_, likely_);
+  if (!found && !stopped_) {
+    pairs_ = ranked(pairsOf(singles_), atMost, kMostPairs);
+    found = search(pairs_, likely_);
+  }
+  if (!found && !stopped_) found = search(singles_, others_);
+  if (!found && !stopped_) found = search(pairs_, others_);
+  if (found || stopped_) return found;
+  // No program in double does that: for want of better the nearest one.
+  std::vector<Tried> tried;
+  for (const std::vector<Model>* list : {&singles_, &pairs_}) {
+    for (std::size_t k = 0; k < std::min(list->size(), kKept) && !stopped_; ++k) {
+      tryAll((*list)[k], Breadth::Students, likely_.empty() ? others_ : likely_, kInfinity, tried);
+    }
+  }
+  return nearestOf(tried);
+}
+
+double ExplanationSearch::withoutMistake(const Explanation& of) {
+  Trial trial{&plain_, of.way, of.dt};
+  const Fit fit = fitOf(trial, motion_, {.samples = motion_.times.size(), .goesOn = {}});
+  double largest = 0;
+  for (std::size_t k = 0; k < fit.distances.size() && motion_.times[k] <= of.judgedUpTo; ++k) {
+    largest = std::max(largest, fit.distances[k]);
+  }
+  return largest;
+}
+
+}  // namespace tyg

@@ -1,0 +1,65 @@
+// The search for what a motion is: many tries at its first times, few of them to its end.
+// Must not know: references, words, clocks.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "study/check/motion_check.h"
+
+namespace tyg {
+
+class ExplanationSearch {
+ public:
+  /// `step` (s): the only one to try, if any. `goesOn` is asked now and then with the fraction of the effort spent.
+  ExplanationSearch(const Scene& scene, const GivenMotion& motion, std::optional<double> step,
+                    std::function<bool(double)> goesOn);
+
+  /// What right methods come to: the nearest one, exact or not. Nothing where the times fit no step.
+  std::optional<Explanation> right();
+  /// The mistake, or the pair of mistakes, with which the motion fits exactly, else the nearest one that was tried to
+  /// the end. `fromTruth`: m, how far the motion is from the truth at its first and at all times.
+  std::optional<Explanation> mistaken(double fromTruth);
+  /// The same method and step as an explanation's without its mistakes, m.
+  double withoutMistake(const Explanation& of);
+
+  [[nodiscard]] std::int64_t tries() const { return tries_; }
+  [[nodiscard]] bool stopped() const { return stopped_; }
+  /// The first times, which most tries are run to.
+  [[nodiscard]] std::size_t first() const { return first_; }
+
+ private:
+  struct Tried {
+    const Model* model = nullptr;
+    Trial trial;
+    double distance = 0;  // m, at the first times
+  };
+  using Steps = std::vector<double>;
+
+  bool spend(double cost);
+  double distanceOf(const Trial& trial, std::size_t samples, double enough);
+  [[nodiscard]] double near() const;
+  [[nodiscard]] double unamplified(std::size_t sample) const;
+  std::optional<Trial> accurate(const Model& model) const;
+  void tryAll(const Model& model, Breadth breadth, const Steps& steps, double enough, std::vector<Tried>& tried);
+  std::optional<Explanation> nearestOf(std::vector<Tried>& tried);
+  std::optional<Explanation> exactOf(std::vector<Tried>& tried);
+  Explanation judged(const Trial& trial);
+  std::vector<Model> ranked(std::vector<Model> models, double atMost, std::size_t most);
+  std::vector<Model> pairsOf(const std::vector<Model>& singles) const;
+  std::optional<Explanation> search(const std::vector<Model>& models, const Steps& steps);
+
+  const Scene& scene_;
+  const GivenMotion& motion_;
+  Model plain_;
+  Steps likely_, others_;
+  std::function<bool(double)> goesOn_;
+  std::size_t first_ = 1;
+  double size_, spent_ = 0;
+  std::int64_t tries_ = 0;
+  bool stopped_ = false;
+  std::vector<Model> singles_, pairs_;
+};
+
+}  // namespace tyg
