@@ -87,7 +87,7 @@ std::string checkScript(const MotionCheck& check) {
     script.add("{}'check.csv' skip 1 using 1:(${} > 0 ? ${} : NaN) with linespoints pt 7 ps 0.4 {}",
                k > 0 ? ", \\\n       " : "", curves[k].column, curves[k].column, curves[k].style);
   }
-  script.add("\n");
+  script.add("\n  unset label\n  unset arrow\n");
   script.endPictures();
   return script.text();
 }

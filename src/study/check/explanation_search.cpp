@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "study/check/vectors.h"
 #include "study/limits/stability.h"
 #include "study/motion/error.h"
 #include "tyg/methods.h"
@@ -20,7 +21,7 @@ constexpr double kNear = kRounding * kLost * 10;  // of the size
 constexpr double kMoved = 0.01;                   // of the size: so far the sheet has moved by the first times
 constexpr double kMostEffort = 2e9;               // evaluations of one spring, a few ns each
 constexpr double kFar = 30;                       // a model so many times as far away as the truth explains nothing
-constexpr std::size_t kMostToTheEnd = 24, kFirstSingles = 8, kMostPairs = 30, kKept = 4;
+constexpr std::size_t kMostToTheEnd = 24, kMostPairs = 50, kKept = 4;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// How many samples a try is run to at first: until the sheet has moved, and not more than a third of all.
@@ -39,8 +40,10 @@ ExplanationSearch::ExplanationSearch(const Scene& scene, const GivenMotion& moti
     : scene_(scene), motion_(motion), goesOn_(std::move(goesOn)), size_(makeSheet(scene).size()) {
   plain_.scene = scene;
   first_ = firstSamples(motion, size_);
+  constexpr double kUsualCount = 400, kMostTimes = 8;
+  most_ = kMostEffort * std::clamp(double(scene.columns) * scene.rows / kUsualCount, 1.0, kMostTimes);
   if (step) {
-    if (!stepCounts(motion, *step).empty()) likely_ = {*step};
+    if (!stepCounts(motion, *step).empty()) all_ = likely_ = {*step};
     return;
   }
   Steps usual{scene.dt};
@@ -52,7 +55,8 @@ ExplanationSearch::ExplanationSearch(const Scene& scene, const GivenMotion& moti
     usual.push_back(gap / std::ceil(gap / scene.dt - 1e-9));
   }
   constexpr double kLikely = 0.02;
-  for (const double dt : stepsOnto(motion, usual)) {
+  all_ = stepsOnto(motion, usual);
+  for (const double dt : all_) {
     const bool everyStepWritten = likely_.empty() && others_.empty() && dt <= kLikely;
     (everyStepWritten || std::abs(dt - scene.dt) <= 1e-9 * dt ? likely_ : others_).push_back(dt);
   }
@@ -61,13 +65,13 @@ ExplanationSearch::ExplanationSearch(const Scene& scene, const GivenMotion& moti
 bool ExplanationSearch::spend(double cost) {
   spent_ += cost;
   ++tries_;
-  if (goesOn_ && !goesOn_(std::min(1.0, spent_ / kMostEffort))) stopped_ = true;
-  return !stopped_ && spent_ <= kMostEffort;
+  if (goesOn_ && !goesOn_(std::min(1.0, spent_ / most_))) stopped_ = true;
+  return !stopped_ && spent_ <= most_;
 }
 
 double ExplanationSearch::distanceOf(const Trial& trial, std::size_t samples, double enough) {
   if (!spend(costOf(trial, motion_, samples))) return kInfinity;
-  const auto goesOn = [this] { return !goesOn_ || goesOn_(std::min(1.0, spent_ / kMostEffort)); };
+  const auto goesOn = [this] { return !goesOn_ || goesOn_(std::min(1.0, spent_ / most_)); };
   const Fit fit = fitOf(trial, motion_, {.samples = samples, .enough = enough, .goesOn = goesOn});
   stopped_ = stopped_ || fit.stopped;
   return fit.upTo(samples);
@@ -85,13 +89,10 @@ double ExplanationSearch::near() const { return std::max(kNear * size_, 2 * unam
 std::optional<Trial> ExplanationSearch::accurate(const Model& model) const {
   const Method& rk4 = findMethod("rk4");
   const double limit = unboundedLimit(model.scene, rk4) / 2;
-  const Steps* steps[] = {&likely_, &others_};
   double best = 0, least = kInfinity;
-  for (const Steps* list : steps) {
-    for (const double dt : *list) {
-      least = std::min(least, dt);
-      if (!(dt > limit)) best = std::max(best, dt);
-    }
+  for (const double dt : all_) {
+    least = std::min(least, dt);
+    if (!(dt > limit)) best = std::max(best, dt);
   }
   if (std::isinf(least)) return std::nullopt;
   if (best == 0) best = least / std::ceil(least / limit);
@@ -121,7 +122,7 @@ Explanation ExplanationSearch::judged(const Trial& trial) {
   const std::size_t all = motion_.times.size();
   Explanation of{.model = *trial.model, .way = trial.way, .dt = trial.dt};
   const double cost = costOf(trial, motion_, all);
-  const auto goesOn = [this] { return !goesOn_ || goesOn_(std::min(1.0, spent_ / kMostEffort)); };
+  const auto goesOn = [this] { return !goesOn_ || goesOn_(std::min(1.0, spent_ / most_)); };
   const auto runs = [&](bool twin) {
     spend(twin ? 2 * cost : cost);
     const Fit fit = fitOf(trial, motion_, {.samples = all, .twin = twin, .goesOn = goesOn});
@@ -183,14 +184,21 @@ std::optional<Explanation> ExplanationSearch::right() {
     if (std::isfinite(distance)) tried.push_back({&plain_, trial, distance});
   }
   tryAll(plain_, Breadth::All, likely_, kInfinity, tried);
+  for (const Way& way : waysOf(plain_, Breadth::Students)) {
+    const std::optional<Aim> aim = stopped_ ? std::nullopt : aimed(plain_, way);
+    if (aim) tryAround(*aim, kInfinity, tried);
+  }
+  const std::optional<Explanation> found = exactOf(tried);
+  return found || stopped_ ? found : nearestOf(tried);
+}
+
+std::optional<Explanation> ExplanationSearch::rightAtAnyStep() {
+  std::vector<Tried> tried;
+  tryAll(plain_, Breadth::Students, others_, near(), tried);
   std::optional<Explanation> found = exactOf(tried);
   if (found || stopped_) return found;
-  tryAll(plain_, Breadth::Students, others_, kInfinity, tried);
-  found = exactOf(tried);
-  if (found || stopped_) return found;
-  tryAll(plain_, Breadth::All, others_, kInfinity, tried);
-  found = exactOf(tried);
-  return found || stopped_ ? found : nearestOf(tried);
+  tryAll(plain_, Breadth::All, others_, near(), tried);
+  return exactOf(tried);
 }
 
 /// The models by how near they are when they are run accurately, without those that are further away than `atMost`.
@@ -209,15 +217,12 @@ std::vector<Model> ExplanationSearch::ranked(std::vector<Model> models, double a
   return sorted;
 }
 
-std::vector<Model> ExplanationSearch::pairsOf(const std::vector<Model>& singles) const {
+std::vector<Model> ExplanationSearch::pairs() const {
   std::vector<Model> pairs;
-  for (std::size_t k = 0; k < std::min(singles.size(), kFirstSingles); ++k) {
-    for (std::size_t other = 0; other < singles.size(); ++other) {
-      const Mistake &one = *singles[k].made.front(), &two = *singles[other].made.front();
-      const bool isSecondTime = other < kFirstSingles && other <= k;
-      if (one.kind == two.kind || isSecondTime) continue;
-      // In the order of the table, so that the pair has one name.
-      Model pair = &one < &two ? withMistake(singles[k], two) : withMistake(singles[other], one);
+  for (const Mistake& one : mistakes()) {
+    for (const Mistake& two : mistakes()) {
+      if (&two <= &one || one.kind == two.kind) continue;
+      Model pair = withMistake(withMistake(plain_, one), two);
       if (pair.made.size() == 2) pairs.push_back(std::move(pair));
     }
   }
@@ -228,10 +233,73 @@ std::optional<Explanation> ExplanationSearch::search(const std::vector<Model>& m
   for (const Model& model : models) {
     std::vector<Tried> tried;
     tryAll(model, Breadth::Students, steps, near(), tried);
-    if (stopped_ || spent_ > kMostEffort) return std::nullopt;
+    if (stopped_ || spent_ > most_) return std::nullopt;
     if (const std::optional<Explanation> found = exactOf(tried)) return found;
   }
   return std::nullopt;
+}
+
+/// Two steps of one method tell which third one would fit: how far a motion is from the given one is e + c h^p, of the
+/// order p, and where the model is right e and c lie on one line.
+std::optional<ExplanationSearch::Aim> ExplanationSearch::aimed(const Model& model, const Way& way) {
+  constexpr double kOfLimit = 0.4;
+  const double limit = unboundedLimit(model.scene, findMethod("symplectic-euler")) * kOfLimit;
+  double longer = 0, shorter = 0;
+  for (const double dt : all_) {
+    if (!(dt > limit)) longer = std::max(longer, dt);
+  }
+  for (const double dt : all_) {
+    if (dt <= longer / 2) shorter = std::max(shorter, dt);
+  }
+  if (shorter == 0) return std::nullopt;
+  const auto end = [&](double dt) {
+    const Trial trial{&model, way, dt};
+    if (!spend(costOf(trial, motion_, first_))) return std::vector<Vec3>{};
+    return fitOf(trial, motion_, {.samples = first_, .goesOn = {}}).last;
+  };
+  const std::vector<Vec3> a = end(longer), b = end(shorter), &given = motion_.positions[first_ - 1];
+  if (a.empty() || b.empty()) return std::nullopt;
+  // With c as the difference of the two, the shorter one's distance is s c plus what no step takes away.
+  double cc = 0, cb = 0, bb = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Vec3 c = a[i] - b[i], r = b[i] - given[i];
+    cc += dot(c, c), cb += dot(c, r), bb += dot(r, r);
+  }
+  if (!(cc > 0) || !std::isfinite(cb)) return std::nullopt;
+  const double s = cb / cc;
+  const int order = way.order();
+  const double power = std::pow(shorter, order) - s * (std::pow(longer, order) - std::pow(shorter, order));
+  const double left = std::sqrt(std::max(0.0, bb - cb * cb / cc) / double(a.size()));
+  Aim aim{.model = &model, .way = way, .dt = power > 0 ? std::pow(power, 1.0 / order) : shorter, .missed = 0};
+  aim.missed = left / std::max(std::sqrt(bb / double(a.size())), unamplified(first_ - 1));
+  return aim;
+}
+
+std::optional<Explanation> ExplanationSearch::searchByAim(const std::vector<Model>& models) {
+  constexpr std::size_t kMostAims = 40;
+  std::vector<Aim> aims;
+  for (const Model& model : models) {
+    for (const Way& way : waysOf(model, Breadth::Students)) {
+      if (stopped_) return std::nullopt;
+      if (const std::optional<Aim> aim = aimed(model, way)) aims.push_back(*aim);
+    }
+  }
+  std::ranges::stable_sort(aims, {}, &Aim::missed);
+  if (aims.size() > kMostAims) aims.resize(kMostAims);
+  std::vector<Tried> tried;
+  for (const Aim& aim : aims) tryAround(aim, near(), tried);
+  return exactOf(tried);
+}
+
+void ExplanationSearch::tryAround(const Aim& aim, double enough, std::vector<Tried>& tried) {
+  constexpr double kAside = 1.7;  // times as long or short as the step aimed at
+  for (const double dt : all_) {
+    if (stopped_) return;
+    if (dt > kAside * aim.dt || dt < aim.dt / kAside) continue;
+    const Trial trial{aim.model, aim.way, dt};
+    const double distance = distanceOf(trial, first_, enough);
+    if (std::isfinite(distance)) tried.push_back({aim.model, trial, distance});
+  }
 }
 
 std::optional<Explanation> ExplanationSearch::mistaken(double fromTruth) {
@@ -243,9 +311,11 @@ std::optional<Explanation> ExplanationSearch::mistaken(double fromTruth) {
   const double atMost = kFar * fromTruth;
   singles_ = ranked(std::move(models), atMost, mistakes().size());
   std::optional<Explanation> found = search(singles_, likely_);
+  if (!found && !stopped_) found = searchByAim(singles_);
   if (!found && !stopped_) {
-    pairs_ = ranked(pairsOf(singles_), atMost, kMostPairs);
+    pairs_ = ranked(pairs(), atMost, kMostPairs);
     found = search(pairs_, likely_);
+    if (!found && !stopped_) found = searchByAim(pairs_);
   }
   if (!found && !stopped_) found = search(singles_, others_);
   if (!found && !stopped_) found = search(pairs_, others_);

@@ -16,8 +16,11 @@ class ExplanationSearch {
   ExplanationSearch(const Scene& scene, const GivenMotion& motion, std::optional<double> step,
                     std::function<bool(double)> goesOn);
 
-  /// What right methods come to: the nearest one, exact or not. Nothing where the times fit no step.
+  /// What right methods come to at the steps that are likely: the nearest one, exact or not. Nothing where the times
+  /// fit no step.
   std::optional<Explanation> right();
+  /// The right method at any other step that the motion fits exactly: where no mistake explains it either.
+  std::optional<Explanation> rightAtAnyStep();
   /// The mistake, or the pair of mistakes, with which the motion fits exactly, else the nearest one that was tried to
   /// the end. `fromTruth`: m, how far the motion is from the truth at its first and at all times.
   std::optional<Explanation> mistaken(double fromTruth);
@@ -35,6 +38,13 @@ class ExplanationSearch {
     Trial trial;
     double distance = 0;  // m, at the first times
   };
+  /// A model and a method, and the step at which they would be nearest.
+  struct Aim {
+    const Model* model = nullptr;
+    Way way;
+    double dt = 0;      // s
+    double missed = 0;  // what would be left of the distance there, as a fraction
+  };
   using Steps = std::vector<double>;
 
   bool spend(double cost);
@@ -47,16 +57,19 @@ class ExplanationSearch {
   std::optional<Explanation> exactOf(std::vector<Tried>& tried);
   Explanation judged(const Trial& trial);
   std::vector<Model> ranked(std::vector<Model> models, double atMost, std::size_t most);
-  std::vector<Model> pairsOf(const std::vector<Model>& singles) const;
+  [[nodiscard]] std::vector<Model> pairs() const;
+  std::optional<Aim> aimed(const Model& model, const Way& way);
+  void tryAround(const Aim& aim, double enough, std::vector<Tried>& tried);
+  std::optional<Explanation> searchByAim(const std::vector<Model>& models);
   std::optional<Explanation> search(const std::vector<Model>& models, const Steps& steps);
 
   const Scene& scene_;
   const GivenMotion& motion_;
   Model plain_;
-  Steps likely_, others_;
+  Steps all_, likely_, others_;  // s
   std::function<bool(double)> goesOn_;
   std::size_t first_ = 1;
-  double size_, spent_ = 0;
+  double size_, spent_ = 0, most_ = 0;
   std::int64_t tries_ = 0;
   bool stopped_ = false;
   std::vector<Model> singles_, pairs_;

@@ -56,17 +56,22 @@ bool isReportsRk4(const Explanation& of) { return of.way.name() == "report-rk4";
 
 void decide(MotionCheck& check, ExplanationSearch& search, const CheckOptions& options) {
   using Verdict = MotionCheck::Verdict;
-  check.right = search.right();
-  if (check.right && check.right->exact) {
+  const auto isExactlyRight = [&] {
+    if (!check.right || !check.right->exact) return false;
     check.verdict = isReportsRk4(*check.right) ? Verdict::Mistaken : Verdict::Right;
     if (check.verdict == Verdict::Mistaken) check.mistaken = check.right;
-    return;
-  }
-  if (search.stopped()) return;
+    return true;
+  };
+  check.right = search.right();
+  if (isExactlyRight() || search.stopped()) return;
   const double nearest = std::min(check.error, check.right ? check.right->distance : check.error);
   double first = 0;
   for (std::size_t k = 0; k < search.first(); ++k) first = std::max(first, check.errors[k]);
   const std::optional<Explanation> found = search.mistaken(first);
+  if ((!found || !found->exact) && !search.stopped()) {
+    if (const std::optional<Explanation> other = search.rightAtAnyStep()) check.right = other;
+    if (isExactlyRight()) return;
+  }
   const bool isNear = check.right && check.right->distance < check.error / kClearlyNearer;
   if (found && (found->exact || (!isNear && found->distance < nearest / kClearlyNearer))) {
     check.verdict = Verdict::Mistaken;

@@ -91,7 +91,7 @@ class Reader {
 
  private:
   [[noreturn]] void refuse(const std::string& found, const std::string& allowed, std::string_view column = {}) const {
-    refuseAt(line_, found, allowed, column);
+    refuseAt(std::max(line_, 1), found, allowed, column);
   }
   [[noreturn]] void refuseAt(int line, const std::string& found, const std::string& allowed,
                              std::string_view column = {}) const {

@@ -48,14 +48,15 @@ void StudentProgram::forcesOf(const Spring& spring, const Vec3& x1, const Vec3& 
                               Vec3& onFirst, Vec3& onSecond) const {
   const Vec3 l = x1 - x2;
   const double length = std::sqrt(dot(l, l)), kd = habits_.dampingSign * spring.kd;
-  const Vec3 n = length > 0 ? (1 / length) * l : Vec3{};
-  const Vec3 elastic = -spring.ks * (length - spring.rest) * n;
-  const auto damped = [&](const Vec3& v) { return scene_.damping == Damping::Axial ? dot(v, n) * n : v; };
+  const double inverse = length > 0 ? 1 / length : 0;
+  const Vec3 elastic = (-spring.ks * (length - spring.rest) * inverse) * l;
+  const bool axial = scene_.damping == Damping::Axial;
+  const auto damper = [&](const Vec3& v) { return axial ? (kd * dot(v, l) * inverse * inverse) * l : kd * v; };
   if (habits_.absoluteDamping) {
-    onFirst = elastic - kd * damped(v1);
-    onSecond = -1 * elastic - kd * damped(v2);
+    onFirst = elastic - damper(v1);
+    onSecond = -1 * elastic - damper(v2);
   } else {
-    onFirst = elastic - kd * damped(v1 - v2);
+    onFirst = elastic - damper(v1 - v2);
     onSecond = -1 * onFirst;
   }
   if (habits_.ends == Habits::Ends::First) onSecond = {};
@@ -64,6 +65,7 @@ void StudentProgram::forcesOf(const Spring& spring, const Vec3& x1, const Vec3& 
 
 Vec3 StudentProgram::outer(int particle, const Vec3& v) const {
   Vec3 force = scene_.particleMass * scene_.gravity - scene_.drag * v;
+  if (pushed_.empty()) return force;
   const double middle = time_ + dt_ / 2;
   for (std::size_t k = 0; k < pushed_.size(); ++k) {
     const Push& push = scene_.pushes[k];

@@ -34,6 +34,7 @@ struct Habits {
 struct StudentMethod {
   std::string_view name;   ///< of Tyg's method where there is one, else its usual name
   std::string_view label;  ///< for sentences
+  int order = 1;           ///< of convergence
   int evaluations = 1;     ///< of the force in a step
   bool known = true;       ///< is it one of Tyg's?
   void (*step)(class StudentProgram& program, double h) = nullptr;

@@ -136,21 +136,21 @@ std::span<const StudentMethod> studentMethods() {
   using S = StudentSteps;
   using P = S::Predicted;
   static constexpr std::array kMethods = {
-      StudentMethod{"explicit-euler", "explicit Euler", 1, true, S::explicitEuler, S::explicitEulerAlone},
-      StudentMethod{"symplectic-euler", "symplectic Euler", 1, true, S::symplecticEuler, S::symplecticEulerAlone},
-      StudentMethod{"report-rk4", "the report's Runge-Kutta", 1, true, S::reportRk4, S::reportRk4Alone},
-      StudentMethod{"rk4", "the classical Runge-Kutta method", 4, true, S::rungeKutta<S::kRk4>,
+      StudentMethod{"explicit-euler", "explicit Euler", 1, 1, true, S::explicitEuler, S::explicitEulerAlone},
+      StudentMethod{"symplectic-euler", "symplectic Euler", 1, 1, true, S::symplecticEuler, S::symplecticEulerAlone},
+      StudentMethod{"report-rk4", "the report's Runge-Kutta", 1, 1, true, S::reportRk4, S::reportRk4Alone},
+      StudentMethod{"rk4", "the classical Runge-Kutta method", 4, 4, true, S::rungeKutta<S::kRk4>,
                     S::rungeKuttaAlone<S::kRk4>},
-      StudentMethod{"leapfrog", "leapfrog", 1, true, S::leapfrog<P::Full>, S::leapfrogAlone<P::Full>},
+      StudentMethod{"leapfrog", "leapfrog", 2, 1, true, S::leapfrog<P::Full>, S::leapfrogAlone<P::Full>},
       StudentMethod{"leapfrog with the half step's velocity in the damping",
-                    "leapfrog with the half step's velocity in the damping", 1, false, S::leapfrog<P::Half>,
+                    "leapfrog with the half step's velocity in the damping", 1, 1, false, S::leapfrog<P::Half>,
                     S::leapfrogAlone<P::Half>},
       StudentMethod{"leapfrog with the old velocity in the damping", "leapfrog with the old velocity in the damping", 1,
-                    false, S::leapfrog<P::Old>, S::leapfrogAlone<P::Old>},
-      StudentMethod{"position-first Euler", "symplectic Euler that moves the position first", 1, false,
+                    1, false, S::leapfrog<P::Old>, S::leapfrogAlone<P::Old>},
+      StudentMethod{"position-first Euler", "symplectic Euler that moves the position first", 1, 1, false,
                     S::positionFirst, S::positionFirstAlone},
-      StudentMethod{"heun", "Heun's method", 2, false, S::rungeKutta<S::kHeun>, S::rungeKuttaAlone<S::kHeun>},
-      StudentMethod{"midpoint", "the explicit midpoint method", 2, false, S::rungeKutta<S::kMidpoint>,
+      StudentMethod{"heun", "Heun's method", 2, 2, false, S::rungeKutta<S::kHeun>, S::rungeKuttaAlone<S::kHeun>},
+      StudentMethod{"midpoint", "the explicit midpoint method", 2, 2, false, S::rungeKutta<S::kMidpoint>,
                     S::rungeKuttaAlone<S::kMidpoint>},
   };
   return kMethods;

@@ -104,6 +104,7 @@ Fit fitOf(const Trial& trial, const GivenMotion& motion, const FitOptions& optio
     const double apart = distanceBetween(at, motion.positions[k]).rms;
     if (!std::isfinite(apart)) break;
     fit.distances.push_back(apart);
+    if (k + 1 == options.samples) fit.last = at;
     if (apart > options.enough) break;
     if (!twin) continue;
     const bool goesOn = twin->advanceTo(motion.times[k], counts[k], options.goesOn);

@@ -21,6 +21,7 @@ struct Way {
 
   [[nodiscard]] std::string_view name() const { return method != nullptr ? method->name : student->name; }
   [[nodiscard]] bool adaptive() const { return method != nullptr && method->adaptive; }
+  [[nodiscard]] int order() const { return method != nullptr ? method->order : student->order; }
   /// Whether it is one of Tyg's, whoever runs it.
   [[nodiscard]] bool known() const { return method != nullptr || student->known; }
 };
@@ -36,7 +37,8 @@ struct Fit {
   std::vector<double> distances;
   /// How many times as far apart two runs that started beside each other are by then; empty where no twin was run.
   std::vector<double> amplification;
-  bool stopped = false;  ///< by the observer
+  std::vector<Vec3> last;  ///< m, where the try's particles were at the last sample
+  bool stopped = false;    ///< by the observer
 
   /// Largest so far; infinite where the try ended before.
   [[nodiscard]] double upTo(std::size_t samples) const;
