@@ -2,6 +2,8 @@
 // write, right programs of every kind, few digits, steps that are too long.
 #include <gtest/gtest.h>
 
+#include <fmt/core.h>
+
 #include <cctype>
 
 #include "random_check.h"
@@ -38,11 +40,12 @@ class EveryMistake : public testing::TestWithParam<int> {};
 TEST_P(EveryMistake, IsNamedRightlyWithEveryMethodThatStudentsWrite) {
   const Mistake& mistake = mistakes()[std::size_t(GetParam())];
   const bool aboutAxial = mistake.name == "relative for axial damping";
-  const Scene scene = checkedScene(aboutAxial ? Damping::Axial : Damping::Relative);
+  Scene scene = checkedScene(aboutAxial ? Damping::Axial : Damping::Relative);
   for (const char* method : {"explicit-euler", "symplectic-euler", "leapfrog", "rk4", "heun"}) {
     const std::vector<const Mistake*> possible = possibleMistakes(scene, method);
     if (std::ranges::find(possible, &mistake) == possible.end()) continue;
     const double h = stepFor(method, mistake);
+    scene.dt = std::string_view(method) == "symplectic-euler" ? 3e-3 : h;  // one step has to be looked for
     const int every = std::string_view(method) == "rk4" ? 1 : 5;
     const OwnProgram program(scene, {std::string(mistake.name)}, method, h);
     const int steps = int(std::lround(scene.duration / h));
@@ -50,7 +53,9 @@ TEST_P(EveryMistake, IsNamedRightlyWithEveryMethodThatStudentsWrite) {
     ASSERT_TRUE(check.mistaken) << method << ": " << saidOf(check);
     EXPECT_EQ(mistakeName(check), mistake.name) << method << ": " << saidOf(check);
     const bool severalAreOne = mistake.name == "forces kept stale across stages";
-    if (!severalAreOne) EXPECT_EQ(check.mistaken->way.name(), method) << saidOf(check);
+    if (!severalAreOne) {
+      EXPECT_EQ(check.mistaken->way.name(), method) << saidOf(check);
+    }
     EXPECT_NEAR(check.mistaken->dt, h, 1e-9 * h) << saidOf(check);
     EXPECT_LE(check.mistaken->distance, 1e-9 * check.size) << saidOf(check);
     EXPECT_GT(check.withoutMistake, check.mistaken->distance) << saidOf(check);
@@ -174,7 +179,7 @@ TEST(Check, StopsWhereTheObserverSaysSo) {
   const Scene scene = checkedScene(Damping::Relative);
   const GivenMotion motion =
       readMotion(ownRows(OwnProgram(scene, {"damping reversed"}, "rk4", 2e-3), 2e-3, 100, 5), "motion.csv", scene);
-  for (const double at : {0.0, 0.5}) {
+  for (const double at : {0.0, 0.4}) {
     const CheckOptions options{.dt = {}, .threads = 1, .observer = [at](double done) { return done < at; }};
     EXPECT_TRUE(checkMotion(scene, motion, options).stopped) << at;
   }

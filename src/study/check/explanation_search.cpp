@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "study/check/vectors.h"
-#include "study/limits/stability.h"
 #include "study/motion/error.h"
 #include "tyg/methods.h"
 
@@ -20,9 +19,21 @@ constexpr double kLost = 1e6;        // an amplification past which nothing can 
 constexpr double kNear = kRounding * kLost * 10;  // of the size
 constexpr double kMoved = 0.01;                   // of the size: so far the sheet has moved by the first times
 constexpr double kMostEffort = 2e9;               // evaluations of one spring, a few ns each
-constexpr double kFar = 30;                       // a model so many times as far away as the truth explains nothing
+constexpr double kFar = 5;  // an accurate model so many times as far away as the truth explains nothing
 constexpr std::size_t kMostToTheEnd = 24, kMostPairs = 50, kKept = 4;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// s: symplectic Euler is stable below, and Runge-Kutta 4 exact enough to tell mistakes apart. Each of the twelve
+/// springs of a particle adds at most twice its stiffness and its damping to the largest of all waves.
+double moderateStep(const Scene& scene) {
+  double stiffness = 0, damping = 0;
+  for (const SpringFamily& family : {scene.structural, scene.shear, scene.bend}) {
+    stiffness += 8 * family.ks, damping += 8 * family.kd;
+  }
+  const double w2 = stiffness / scene.particleMass, d = (damping + scene.drag) / scene.particleMass;
+  if (w2 == 0) return d == 0 ? kInfinity : 2 / d;
+  return (std::sqrt(d * d + 4 * w2) - d) / w2;
+}
 
 /// How many samples a try is run to at first: until the sheet has moved, and not more than a third of all.
 std::size_t firstSamples(const GivenMotion& motion, double size) {
@@ -88,14 +99,14 @@ double ExplanationSearch::near() const { return std::max(kNear * size_, 2 * unam
 /// A try whose own error is small beside what mistakes do.
 std::optional<Trial> ExplanationSearch::accurate(const Model& model) const {
   const Method& rk4 = findMethod("rk4");
-  const double limit = unboundedLimit(model.scene, rk4) / 2;
+  const double limit = moderateStep(model.scene);
   double best = 0, least = kInfinity;
   for (const double dt : all_) {
     least = std::min(least, dt);
     if (!(dt > limit)) best = std::max(best, dt);
   }
   if (std::isinf(least)) return std::nullopt;
-  if (best == 0) best = least / std::ceil(least / limit);
+  if (best == 0) best = least / std::ceil(least / limit);  // a whole part of a step that fits
   Way way{&rk4, nullptr};
   if (!model.isScene()) {
     way = {nullptr, &*std::ranges::find(studentMethods(), "rk4", &StudentMethod::name)};
@@ -105,11 +116,11 @@ std::optional<Trial> ExplanationSearch::accurate(const Model& model) const {
 
 void ExplanationSearch::tryAll(const Model& model, Breadth breadth, const Steps& steps, double enough,
                                std::vector<Tried>& tried) {
-  constexpr double kDear = 1e8;
+  constexpr double kDear = 1.5e8;
   for (const double dt : steps) {
     for (const Way& way : waysOf(model, breadth)) {
       const Trial trial{&model, way, dt};
-      if (costOf(trial, motion_, first_) > kDear) continue;
+      if (all_.size() > 1 && costOf(trial, motion_, first_) > kDear) continue;
       const double distance = distanceOf(trial, first_, enough);
       if (stopped_) return;
       if (std::isfinite(distance)) tried.push_back({&model, trial, distance});
@@ -189,7 +200,21 @@ std::optional<Explanation> ExplanationSearch::right() {
     if (aim) tryAround(*aim, kInfinity, tried);
   }
   const std::optional<Explanation> found = exactOf(tried);
-  return found || stopped_ ? found : nearestOf(tried);
+  if (stopped_) return found;
+  return found ? nearestStep(*found) : nearestOf(tried);
+}
+
+/// Exact methods are the same as any fine step of theirs: the step is the one that fits best.
+Explanation ExplanationSearch::nearestStep(const Explanation& found) {
+  if (found.dt == 0 || found.distance <= kRounding * size_) return found;
+  std::vector<Tried> tried;
+  for (const double dt : all_) {
+    const Trial trial{&plain_, found.way, dt};
+    const double distance = dt < found.dt && !stopped_ ? distanceOf(trial, first_, near()) : kInfinity;
+    if (std::isfinite(distance)) tried.push_back({&plain_, trial, distance});
+  }
+  const std::optional<Explanation> other = exactOf(tried);
+  return other && other->distance < found.distance ? *other : found;
 }
 
 std::optional<Explanation> ExplanationSearch::rightAtAnyStep() {
@@ -207,7 +232,9 @@ std::vector<Model> ExplanationSearch::ranked(std::vector<Model> models, double a
   for (std::size_t k = 0; k < models.size() && !stopped_; ++k) {
     const std::optional<Trial> trial = accurate(models[k]);
     const double distance = trial ? distanceOf(*trial, first_, kInfinity) : kInfinity;
-    const bool dependsOnStep = !models[k].isScene();
+    const bool dependsOnStep = std::ranges::any_of(models[k].made, [](const Mistake* one) {
+      return one->kind == Mistake::Kind::Pins || one->kind == Mistake::Kind::Order;
+    });
     if (distance <= atMost || dependsOnStep) order.emplace_back(distance, k);
   }
   std::ranges::sort(order);
@@ -242,8 +269,7 @@ std::optional<Explanation> ExplanationSearch::search(const std::vector<Model>& m
 /// Two steps of one method tell which third one would fit: how far a motion is from the given one is e + c h^p, of the
 /// order p, and where the model is right e and c lie on one line.
 std::optional<ExplanationSearch::Aim> ExplanationSearch::aimed(const Model& model, const Way& way) {
-  constexpr double kOfLimit = 0.4;
-  const double limit = unboundedLimit(model.scene, findMethod("symplectic-euler")) * kOfLimit;
+  const double limit = moderateStep(model.scene);
   double longer = 0, shorter = 0;
   for (const double dt : all_) {
     if (!(dt > limit)) longer = std::max(longer, dt);
@@ -308,7 +334,7 @@ std::optional<Explanation> ExplanationSearch::mistaken(double fromTruth) {
     Model model = withMistake(plain_, mistake);
     if (!model.made.empty()) models.push_back(std::move(model));
   }
-  const double atMost = kFar * fromTruth;
+  const double atMost = kFar * std::max(fromTruth, unamplified(first_ - 1));
   singles_ = ranked(std::move(models), atMost, mistakes().size());
   std::optional<Explanation> found = search(singles_, likely_);
   if (!found && !stopped_) found = searchByAim(singles_);

@@ -53,6 +53,7 @@ class ExplanationSearch {
   [[nodiscard]] double unamplified(std::size_t sample) const;
   std::optional<Trial> accurate(const Model& model) const;
   void tryAll(const Model& model, Breadth breadth, const Steps& steps, double enough, std::vector<Tried>& tried);
+  Explanation nearestStep(const Explanation& found);
   std::optional<Explanation> nearestOf(std::vector<Tried>& tried);
   std::optional<Explanation> exactOf(std::vector<Tried>& tried);
   Explanation judged(const Trial& trial);

@@ -37,7 +37,10 @@ std::vector<Vec3> startOf(const Scene& scene, const Sheet& sheet) {
   return start;
 }
 
-std::string placeText(const Vec3& at) { return fmt::format("({:.6g}, {:.6g}, {:.6g}) m", at.x, at.y, at.z); }
+/// Without the sign of -0.
+std::string placeText(const Vec3& at) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g}) m", at.x + 0.0, at.y + 0.0, at.z + 0.0);
+}
 
 [[noreturn]] void refuse(const std::string& file, const std::string& found, const std::string& allowed) {
   throw InputError(fmt::format("{}: found {}; allowed: {}", file, found, allowed));
