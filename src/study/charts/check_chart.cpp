@@ -38,7 +38,7 @@ std::vector<Curve> curvesOf(const MotionCheck& check) {
   if (const std::string words = explanationWords(check); !words.empty()) {
     curves.push_back({3, words, fmt::format("lw 4 dt (9,5) lc '{}'", chartColour(1))});
   }
-  curves.push_back({4, "floor: what rounding errors alone may make", "lw 3 dt (3,3) lc '#888888'"});
+  curves.push_back({4, "floor: the exact motion is known no better", "lw 3 dt (3,3) lc '#888888'"});
   return curves;
 }
 

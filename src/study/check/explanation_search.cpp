@@ -20,7 +20,7 @@ constexpr double kNear = kRounding * kLost * 10;  // of the size
 constexpr double kMoved = 0.01;                   // of the size: so far the sheet has moved by the first times
 constexpr double kMostEffort = 2e9;               // evaluations of one spring, a few ns each
 constexpr double kFar = 5;  // an accurate model so many times as far away as the truth explains nothing
-constexpr std::size_t kMostToTheEnd = 24, kMostPairs = 50, kKept = 4;
+constexpr std::size_t kMostToTheEnd = 24, kMostAimed = 50, kKept = 4;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// s: symplectic Euler is stable below, and Runge-Kutta 4 exact enough to tell mistakes apart. Each of the twelve
@@ -48,7 +48,7 @@ std::size_t firstSamples(const GivenMotion& motion, double size) {
 
 ExplanationSearch::ExplanationSearch(const Scene& scene, const GivenMotion& motion, std::optional<double> step,
                                      std::function<bool(double)> goesOn)
-    : scene_(scene), motion_(motion), goesOn_(std::move(goesOn)), size_(makeSheet(scene).size()) {
+    : motion_(motion), goesOn_(std::move(goesOn)), size_(makeSheet(scene).size()) {
   plain_.scene = scene;
   first_ = firstSamples(motion, size_);
   constexpr double kUsualCount = 400, kMostTimes = 8;
@@ -75,16 +75,16 @@ ExplanationSearch::ExplanationSearch(const Scene& scene, const GivenMotion& moti
 
 bool ExplanationSearch::spend(double cost) {
   spent_ += cost;
-  ++tries_;
   if (goesOn_ && !goesOn_(std::min(1.0, spent_ / most_))) stopped_ = true;
   return !stopped_ && spent_ <= most_;
 }
 
 double ExplanationSearch::distanceOf(const Trial& trial, std::size_t samples, double enough) {
-  if (!spend(costOf(trial, motion_, samples))) return kInfinity;
+  if (!spend(0)) return kInfinity;
   const auto goesOn = [this] { return !goesOn_ || goesOn_(std::min(1.0, spent_ / most_)); };
   const Fit fit = fitOf(trial, motion_, {.samples = samples, .enough = enough, .goesOn = goesOn});
   stopped_ = stopped_ || fit.stopped;
+  if (!fit.distances.empty()) spend(costOf(trial, motion_, fit.distances.size()));
   return fit.upTo(samples);
 }
 
@@ -136,7 +136,7 @@ Explanation ExplanationSearch::judged(const Trial& trial) {
   const auto goesOn = [this] { return !goesOn_ || goesOn_(std::min(1.0, spent_ / most_)); };
   const auto runs = [&](bool twin) {
     spend(twin ? 2 * cost : cost);
-    const Fit fit = fitOf(trial, motion_, {.samples = all, .twin = twin, .goesOn = goesOn});
+    Fit fit = fitOf(trial, motion_, {.samples = all, .twin = twin, .goesOn = goesOn});
     stopped_ = stopped_ || fit.stopped;
     return fit;
   };
@@ -199,7 +199,7 @@ std::optional<Explanation> ExplanationSearch::right() {
     const std::optional<Aim> aim = stopped_ ? std::nullopt : aimed(plain_, way);
     if (aim) tryAround(*aim, kInfinity, tried);
   }
-  const std::optional<Explanation> found = exactOf(tried);
+  std::optional<Explanation> found = exactOf(tried);
   if (stopped_) return found;
   return found ? nearestStep(*found) : nearestOf(tried);
 }
@@ -227,7 +227,7 @@ std::optional<Explanation> ExplanationSearch::rightAtAnyStep() {
 }
 
 /// The models by how near they are when they are run accurately, without those that are further away than `atMost`.
-std::vector<Model> ExplanationSearch::ranked(std::vector<Model> models, double atMost, std::size_t most) {
+std::vector<Model> ExplanationSearch::ranked(std::vector<Model> models, double atMost) {
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t k = 0; k < models.size() && !stopped_; ++k) {
     const std::optional<Trial> trial = accurate(models[k]);
@@ -238,8 +238,8 @@ std::vector<Model> ExplanationSearch::ranked(std::vector<Model> models, double a
     if (distance <= atMost || dependsOnStep) order.emplace_back(distance, k);
   }
   std::ranges::sort(order);
-  if (order.size() > most) order.resize(most);
   std::vector<Model> sorted;
+  sorted.reserve(order.size());
   for (const auto& [distance, k] : order) sorted.push_back(std::move(models[k]));
   return sorted;
 }
@@ -261,7 +261,7 @@ std::optional<Explanation> ExplanationSearch::search(const std::vector<Model>& m
     std::vector<Tried> tried;
     tryAll(model, Breadth::Students, steps, near(), tried);
     if (stopped_ || spent_ > most_) return std::nullopt;
-    if (const std::optional<Explanation> found = exactOf(tried)) return found;
+    if (std::optional<Explanation> found = exactOf(tried)) return found;
   }
   return std::nullopt;
 }
@@ -301,7 +301,7 @@ std::optional<ExplanationSearch::Aim> ExplanationSearch::aimed(const Model& mode
   return aim;
 }
 
-std::optional<Explanation> ExplanationSearch::searchByAim(const std::vector<Model>& models) {
+std::optional<Explanation> ExplanationSearch::searchByAim(std::span<const Model> models) {
   constexpr std::size_t kMostAims = 40;
   std::vector<Aim> aims;
   for (const Model& model : models) {
@@ -328,6 +328,16 @@ void ExplanationSearch::tryAround(const Aim& aim, double enough, std::vector<Tri
   }
 }
 
+/// One mistake alone where it fits as well: the other one then makes no difference.
+Explanation ExplanationSearch::oneOfTwo(const Explanation& found) {
+  for (const Mistake* mistake : found.model.made) {
+    const Model single = withMistake(plain_, *mistake);
+    Explanation of = judged({&single, found.way, found.dt});
+    if (of.exact) return of;
+  }
+  return found;
+}
+
 std::optional<Explanation> ExplanationSearch::mistaken(double fromTruth) {
   std::vector<Model> models;
   for (const Mistake& mistake : mistakes()) {
@@ -335,16 +345,17 @@ std::optional<Explanation> ExplanationSearch::mistaken(double fromTruth) {
     if (!model.made.empty()) models.push_back(std::move(model));
   }
   const double atMost = kFar * std::max(fromTruth, unamplified(first_ - 1));
-  singles_ = ranked(std::move(models), atMost, mistakes().size());
+  singles_ = ranked(std::move(models), atMost);
   std::optional<Explanation> found = search(singles_, likely_);
   if (!found && !stopped_) found = searchByAim(singles_);
   if (!found && !stopped_) {
-    pairs_ = ranked(pairs(), atMost, kMostPairs);
+    pairs_ = ranked(pairs(), atMost);
     found = search(pairs_, likely_);
-    if (!found && !stopped_) found = searchByAim(pairs_);
+    if (!found && !stopped_) found = searchByAim(std::span(pairs_).first(std::min(pairs_.size(), kMostAimed)));
   }
   if (!found && !stopped_) found = search(singles_, others_);
   if (!found && !stopped_) found = search(pairs_, others_);
+  if (found && found->model.made.size() == 2) return oneOfTwo(*found);
   if (found || stopped_) return found;
   // No program in double does that: for want of better the nearest one.
   std::vector<Tried> tried;

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "study/check/motion_check.h"
@@ -27,7 +28,6 @@ class ExplanationSearch {
   /// The same method and step as an explanation's without its mistakes, m.
   double withoutMistake(const Explanation& of);
 
-  [[nodiscard]] std::int64_t tries() const { return tries_; }
   [[nodiscard]] bool stopped() const { return stopped_; }
   /// The first times, which most tries are run to.
   [[nodiscard]] std::size_t first() const { return first_; }
@@ -51,27 +51,26 @@ class ExplanationSearch {
   double distanceOf(const Trial& trial, std::size_t samples, double enough);
   [[nodiscard]] double near() const;
   [[nodiscard]] double unamplified(std::size_t sample) const;
-  std::optional<Trial> accurate(const Model& model) const;
+  [[nodiscard]] std::optional<Trial> accurate(const Model& model) const;
   void tryAll(const Model& model, Breadth breadth, const Steps& steps, double enough, std::vector<Tried>& tried);
+  Explanation oneOfTwo(const Explanation& found);
   Explanation nearestStep(const Explanation& found);
   std::optional<Explanation> nearestOf(std::vector<Tried>& tried);
   std::optional<Explanation> exactOf(std::vector<Tried>& tried);
   Explanation judged(const Trial& trial);
-  std::vector<Model> ranked(std::vector<Model> models, double atMost, std::size_t most);
+  std::vector<Model> ranked(std::vector<Model> models, double atMost);
   [[nodiscard]] std::vector<Model> pairs() const;
   std::optional<Aim> aimed(const Model& model, const Way& way);
   void tryAround(const Aim& aim, double enough, std::vector<Tried>& tried);
-  std::optional<Explanation> searchByAim(const std::vector<Model>& models);
+  std::optional<Explanation> searchByAim(std::span<const Model> models);
   std::optional<Explanation> search(const std::vector<Model>& models, const Steps& steps);
 
-  const Scene& scene_;
   const GivenMotion& motion_;
   Model plain_;
   Steps all_, likely_, others_;  // s
   std::function<bool(double)> goesOn_;
   std::size_t first_ = 1;
   double size_, spent_ = 0, most_ = 0;
-  std::int64_t tries_ = 0;
   bool stopped_ = false;
   std::vector<Model> singles_, pairs_;
 };

@@ -115,7 +115,6 @@ MotionCheck checkMotion(const Scene& scene, const GivenMotion& handedIn, const C
   if (check.stopped) return check;
   ExplanationSearch search(check.scene, motion, options.dt, part(kSearchBegins, 1));
   decide(check, search, options);
-  check.tries = search.tries();
   check.stopped = search.stopped();
   if (check.stopped) return check;
   if (const Explanation* of = check.explanation()) {

@@ -29,6 +29,7 @@ double scaleOf(const std::vector<Vec3>& at, const Sheet& sheet) {
 /// Where every particle is at t = 0, m.
 std::vector<Vec3> startOf(const Scene& scene, const Sheet& sheet) {
   std::vector<Vec3> start;
+  start.reserve(std::size_t(sheet.count()));
   for (int particle = 0; particle < sheet.count(); ++particle) start.push_back(sheet.startPosition(particle));
   for (const Displacement& one : scene.displacements) {
     Vec3& at = start[std::size_t(particleAt(sheet, one.particle))];

@@ -170,7 +170,7 @@ class Reader {
                        scene_.name);
   }
 
-  double number(int column) const {
+  [[nodiscard]] double number(int column) const {
     const std::string_view text = fields_[std::size_t(column)], name = names_[std::size_t(column)];
     std::string_view digits = text;
     if (digits.starts_with('+')) digits.remove_prefix(1);
@@ -233,7 +233,7 @@ class Reader {
     }
   }
 
-  GivenMotion gathered() const {
+  [[nodiscard]] GivenMotion gathered() const {
     GivenMotion motion;
     const auto count = std::size_t(sheet_.count());
     for (std::size_t begin = 0; begin < entries_.size();) {
