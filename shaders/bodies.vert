@@ -8,15 +8,20 @@ uniform mat4 model;                     // from there to the world's
 uniform mat4 view;
 uniform mat4 projection;
 uniform vec3 eye;                       // m
+uniform float swell;                    // pixels that the surface is drawn farther out
+uniform float focal;                    // pixels per metre at a distance of one metre
 uniform float sink;                     // m from the surface inward to where lines are hidden
 
+out vec3 point;   // in the world, m
 out vec3 facing;  // the normal in the world's axes
 
 const float kSteepest = 0.15;  // the least share of the normal in the line of sight: at the outline there is none
 
 void main() {
   vec4 place = model * vec4(position, 1);
+  point = place.xyz;
   facing = mat3(model) * normal;
+  place.xyz -= facing * swell * (view * place).z / focal;
   vec3 toEye = eye - place.xyz;
   float away = length(toEye);
   float slant = max(abs(dot(facing, toEye)) / away, kSteepest);

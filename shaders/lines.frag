@@ -13,13 +13,14 @@ uniform int part;            // 0: middles, 1: edges, 2: both at once
 noperspective in float across;
 noperspective in float halfWidth;
 noperspective in float opacity;
+noperspective in float tone;
 in float alongRamp;
 in float farness;
 out vec4 painted;
 
 void main() {
   float cover = clamp(halfWidth + 0.5 - abs(across), 0.0, 1.0);
-  bool solid = cover >= 0.5;
+  bool solid = cover >= 0.5 && tone <= 0.0;
   if (cover <= 0.0 || (part == 0 && !solid) || (part == 1 && solid)) discard;
   vec3 own = colour;
   if (colouring != 0) {

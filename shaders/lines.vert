@@ -10,6 +10,8 @@ uniform float focal;              // pixels per metre at a distance of one metre
 uniform float nearest;            // distance at which lines are cut, m
 uniform float width;              // pixels, at the distance `middle`
 uniform float spacing;            // m between neighbouring lines of the mesh; 0: not a mesh, never thinned
+uniform int columns;              // of the mesh
+uniform int particles;            // of the mesh
 uniform float sideBySide;         // how many lines of the mesh lie beside each other where it is narrowest
 uniform float middle;             // distance to the middle of the cloth, m
 uniform float sideways;           // pixels to draw the line beside where it lies (two families may lie in one line)
@@ -22,6 +24,7 @@ uniform vec2 depths;              // of the nearest and the farthest part of the
 noperspective out float across;   // pixels from the line's middle
 noperspective out float halfWidth;
 noperspective out float opacity;
+noperspective out float tone;     // above 0: part of an even tone, which hides nothing
 out float alongRamp;              // 0 at the first of the colours, 1 at the last
 out float farness;                // 0 at the cloth's nearest part, 1 at the farthest
 
@@ -29,11 +32,22 @@ const vec2 kCorners[6] = vec2[6](vec2(0, -1), vec2(1, -1), vec2(0, 1), vec2(0, 1
 const float kFringe = 0.75;       // pixels on each side that hold the soft edge
 const float kDensest = 0.3;       // share of the space between lines that a line may fill
 const float kThinnest = 1.0;      // pixels; below that a line grows fainter instead
+const float kFlat = 2.2;          // pixels from line to line; nearer ones become an even tone ...
+const float kApart = 3.5;         // ... and those farther apart are lines
 
 vec3 viewPosition(uint particle) {
   int i = 3 * int(particle);
   vec3 p = vec3(texelFetch(positions, i).r, texelFetch(positions, i + 1).r, texelFetch(positions, i + 2).r);
   return (view * vec4(p, 1)).xyz;
+}
+
+// The particle that lies beside `end` as seen from the line from `low` to `high`; -1: there is none.
+int besideOf(int end, int low, int high) {
+  if (low % columns + high - low < columns) {  // along a row: in the next row, else in the one before
+    return high + columns < particles ? end + columns : low >= columns ? end - columns : -1;
+  }
+  int left = min(low % columns, high % columns), right = max(low % columns, high % columns);
+  return right + 1 < columns ? end + 1 : left > 0 ? end - 1 : -1;
 }
 
 vec2 windowPosition(vec4 clip) { return clip.xy / clip.w * pixels / 2; }
@@ -42,7 +56,7 @@ void main() {
   vec2 corner = kCorners[gl_VertexID % 6];
   uvec2 ends = texelFetch(lines, gl_VertexID / 6).rg;
   vec3 a = viewPosition(ends.x), b = viewPosition(ends.y);
-  across = halfWidth = opacity = farness = alongRamp = 0.0;
+  across = halfWidth = opacity = tone = farness = alongRamp = 0.0;
   gl_Position = vec4(2, 2, 2, 1);  // all six vertices in one point outside: nothing is drawn
   if (colouring == 1) alongRamp = texelFetch(values, int(corner.x < 0.5 ? ends.x : ends.y)).r;
   if (colouring == 2) alongRamp = length(a - b) / restLength - 1;
@@ -62,6 +76,17 @@ void main() {
   // Dense lines are thinned, but all of them together are still to be seen as one line.
   if (spacing > 0.0) wanted = min(wanted, max(kDensest * spacing * focal / depth, width / sideBySide));
   float drawn = max(wanted, kThinnest);
+  int low = int(min(ends.x, ends.y)), high = int(max(ends.x, ends.y));
+  int beside = spacing > 0.0 ? besideOf(corner.x < 0.5 ? int(ends.x) : int(ends.y), low, high) : -1;
+  if (beside >= 0) {
+    vec4 clipC = projection * vec4(viewPosition(uint(beside)), 1);
+    vec2 away = windowPosition(clipC) - windowPosition(corner.x < 0.5 ? clipA : clipB);
+    float apart = max(abs(away.x * along.y - away.y * along.x), kThinnest / 20);
+    // Lines whose width is a whole multiple of their distance cover all pixels alike, wherever they lie between them.
+    float even = apart * ceil(kThinnest / apart);
+    if (apart < kApart && clipC.w > 0.0) drawn = max(drawn, mix(even, drawn, smoothstep(kFlat, kApart, apart)));
+  }
+  tone = drawn > max(wanted, kThinnest) ? 1.0 : 0.0;
   opacity = min(wanted / drawn, 1.0);
   halfWidth = drawn / 2;
   across = corner.y * (halfWidth + kFringe);

@@ -50,18 +50,31 @@ press space
 until_true "it pauses" in_state paused
 press f
 few_frames
-# Somewhere on this column of pixels there is cloth; a click beside it would push the middle particle, 210.
-clicks=0 hit=
+# Somewhere on this column of pixels there is cloth.
+clicks=0
 for height in 360 320 400 280 440 240 480 200; do
-  xdotool mousemove --window "$window" 600 $height click 1
-  clicks=$((clicks + 1))
-  until_true "a click pushes" pushed $clicks
-  if ((picked != 210 && picked >= 0 && picked < 400)); then hit=$picked && break; fi
+  xdotool mousemove --window "$window" 640 $height click 1
+  few_frames
+  read_log
+  if ((pushes == 1)); then clicks=1 && break; fi
+  [[ $pushes == 0 ]] || fail "a click pushed $pushes times"
 done
-[[ -n $hit ]] || fail "no click met the cloth"
+((clicks == 1 && picked >= 0 && picked < 400)) || fail "no click met the cloth"
 xdotool mousemove --window "$window" 4 600 click 1
-until_true "a click that misses counts" pushed $((clicks + 1))
-((picked == 210)) || fail "a click that misses pushed particle $picked, not the middle one"
+until_true "a click far from the cloth pushes, as the report's does" pushed $((clicks + 1))
+((picked == 210)) || fail "a click far from the cloth pushed particle $picked, not the middle one"
+read_log && old_x=$eye_x old_y=$eye_y old_z=$eye_z
+xdotool mousemove --window "$window" 100 560 mousedown 1 mousemove 140 570
+few_frames
+xdotool mousemove --window "$window" 200 580 mouseup 1
+until_true "a drag beside the cloth orbits" eye_moved
+((pushes == clicks + 1)) || fail "a drag beside the cloth pushes"
+read_log && old_x=$eye_x old_y=$eye_y old_z=$eye_z
+xdotool keydown Left
+until_true "the eye does not move, but it runs" frames_since $((frame + 3))
+xdotool keyup Left
+press f
+until_true "F fits the cloth in view again" eye_moved
 press space
 until_true "it runs with the pushes" in_state running
 
@@ -111,7 +124,9 @@ in_state running || fail "it does not run with the safe step"
 
 # Once more, and out by a button: the first one, below the sentence.
 drag_to_failure
+press space
 few_frames
+in_state frozen || fail "space goes on into a failure"
 xdotool mousemove --window "$window" 160 575 click 1
 until_true "the button takes the safe step" step_below 0.0043
 until_true "and it runs on" in_state running
@@ -142,6 +157,21 @@ xdotool mousemove --window "$window" 1270 634 mouseup 1
 until_true "its right end is the last moment" at_time "$late"
 in_state paused || fail "the time line does not pause"
 
+# A click on a key of the list does what the key does, and F1 and ? show all keys.
+press r
+until_true "R restarts" at_time 0
+click 40 63
+until_true "a click on the first key starts it" later_than 0.3
+for key in F1 question; do
+  press $key
+  few_frames
+  press Escape # closes the keys
+  few_frames
+done
+kill -0 "$viewer" || fail "Esc left instead of closing the keys"
+press space
+until_true "it pauses again" in_state paused
+
 press semicolon
 press r
 until_true "R restarts after all that" at_time 0
@@ -151,10 +181,10 @@ until_true "the held key makes the step smaller" step_below 0.0023 # leapfrog ho
 xdotool keyup bracketleft
 
 # The last run is the one that is recorded. What is gone back over and done anew is recorded as it was done last.
-press space
-until_true "it runs again" later_than 0.1
-xdotool mousemove --window "$window" 4 600 mousedown 1
-until_true "the held button pushes" pushed $((clicks + 2))
+press f
+few_frames
+xdotool mousemove --window "$window" 640 330 mousedown 1
+until_true "the held button pushes, and starts the cloth" pushed $((clicks + 2))
 until_true "and goes on" later_than 0.4
 xdotool mouseup 1
 press space

@@ -14,7 +14,7 @@ fi
 
 tyg=$(readlink -f "$tyg") work=$(mktemp -d)
 cd "$work"
-export XDG_STATE_HOME=$work/state
+export XDG_STATE_HOME=$work/state XDG_CONFIG_HOME=$work/config
 log=$work/view.csv record=$work/record.csv
 cleanup() {
   if [[ -n ${viewer:-} ]]; then kill "$viewer" 2>/dev/null || true; fi
@@ -79,10 +79,10 @@ click() {
   xdotool mouseup 1
   few_frames
 }
-# open_window ARGUMENTS...: a window that waits, which `window` names then.
+# open_window ARGUMENTS...: a window that waits, which `window` names then; as large as the screen, or `size`.
 open_window() {
   : >"$log"
-  "$tyg" view "$@" --size "$screen" --log "$log" &
+  "$tyg" view "$@" --size "${size:-$screen}" --log "$log" &
   viewer=$!
   until_true "it opens waiting" in_state waiting
   window=$(xdotool search --sync --onlyvisible --name '^Tyg' | head -n 1)

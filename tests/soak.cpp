@@ -175,7 +175,7 @@ class Soak {
   /// One of the tools, on the cloth or across it: from one particle to another, and for a while.
   void useTool() {
     if (size_.width <= 0 || size_.height <= 0) return;
-    key(static_cast<KeyCode>(kFirstFunctionKey + below(kFunctionKeys)));
+    key(functionKey(2 + below(int(toolTable().size()))));
     const glm::vec2 from = somewhereOnTheCloth(), to = somewhereOnTheCloth();
     send({.kind = WindowEvent::Kind::Press, .key = kLeftButton, .x = from.x, .y = from.y});
     const int steps = 1 + below(8);

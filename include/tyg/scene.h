@@ -133,6 +133,29 @@ struct Contact {
   bool operator==(const Contact&) const = default;
 };
 
+/// How the cloth is drawn: its springs as lines, a lit surface, or both.
+enum class Show { Lines, Surface, Both };
+enum class Weave { None, Plain, Checker };
+
+/// What the cloth looks like. It changes nothing that is computed, and no hash.
+struct Look {
+  Show show = Show::Lines;
+  std::optional<Vec3> colour{};  ///< red, green and blue, 0..1 each; nothing: one that suits the background
+  Weave weave = Weave::None;
+  std::string image{};  ///< path of a PNG or JPEG picture that is drawn on the cloth; empty: none
+  bool operator==(const Look&) const = default;
+};
+
+/// Light on what is drawn; like the look it changes nothing that is computed.
+struct Lamp {
+  std::optional<Vec3> at{};  ///< m; nothing: it is far away
+  Vec3 direction{0, -1, 0};  ///< of the light, where the lamp is far away; of any length but 0
+  Vec3 colour{1, 1, 1};      ///< red, green and blue, 0..1 each
+  bool operator==(const Lamp&) const = default;
+};
+/// The most lamps of a scene.
+inline constexpr int kMostLamps = 4;
+
 /// The most columns and the most rows of a sheet.
 inline constexpr int kLargestCount = 4096;
 
@@ -166,6 +189,9 @@ struct Scene {
   std::vector<Move> moves;
   std::vector<Cut> cuts;
   Tear tear;
+
+  Look look;
+  std::vector<Lamp> lamps;  ///< up to kMostLamps; none: one far away, above to the left and in front
 
   double duration = 1;      ///< s, > 0
   std::string integrator;   ///< a registered method's name

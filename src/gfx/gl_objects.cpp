@@ -21,11 +21,23 @@ std::string_view shaderText(const std::string& file) {
   throw std::runtime_error("no shader " + file + " is built in");
 }
 
+/// With the one file that it may include in its place (`#include "NAME"` on a line of its own), and with the defines
+/// after its version.
+std::string completeText(const std::string& file, std::string_view defines) {
+  constexpr std::string_view kVersion = "#version 330 core\n", kInclude = "#include \"";
+  std::string text(shaderText(file));
+  if (const std::size_t line = text.find(kInclude); line != std::string::npos) {
+    const std::size_t name = line + kInclude.size(), end = text.find('"', name);
+    text.replace(line, end + 1 - line, shaderText(text.substr(name, end - name)));
+  }
+  return text.insert(text.find(kVersion) + kVersion.size(), defines);
+}
+
 /// Deletes the shader again when linking is over or has failed.
 class Shader {
  public:
-  Shader(GLenum stage, const std::string& file) : name_(glCreateShader(stage)) {
-    const std::string_view text = shaderText(file);
+  Shader(GLenum stage, const std::string& file, std::string_view defines) : name_(glCreateShader(stage)) {
+    const std::string text = completeText(file, defines);
     const char* start = text.data();
     const auto length = static_cast<GLint>(text.size());
     glShaderSource(name_, 1, &start, &length);
@@ -52,9 +64,9 @@ class Shader {
 
 }  // namespace
 
-GlProgram::GlProgram(std::string_view stem) {
-  const Shader vertex(GL_VERTEX_SHADER, std::string(stem) + ".vert");
-  const Shader fragment(GL_FRAGMENT_SHADER, std::string(stem) + ".frag");
+GlProgram::GlProgram(std::string_view stem, std::string_view defines) {
+  const Shader vertex(GL_VERTEX_SHADER, std::string(stem) + ".vert", defines);
+  const Shader fragment(GL_FRAGMENT_SHADER, std::string(stem) + ".frag", defines);
   name_ = glCreateProgram();
   glAttachShader(name_, vertex.name());
   glAttachShader(name_, fragment.name());

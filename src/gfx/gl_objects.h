@@ -49,15 +49,46 @@ struct GlVertexArrayKind {
   }
   static void destroy(GLuint name) { glDeleteVertexArrays(1, &name); }
 };
+struct GlFramebufferKind {
+  static GLuint make() {
+    GLuint name = 0;
+    glGenFramebuffers(1, &name);
+    return name;
+  }
+  static void destroy(GLuint name) { glDeleteFramebuffers(1, &name); }
+};
+struct GlRenderbufferKind {
+  static GLuint make() {
+    GLuint name = 0;
+    glGenRenderbuffers(1, &name);
+    return name;
+  }
+  static void destroy(GLuint name) { glDeleteRenderbuffers(1, &name); }
+};
 using GlBuffer = GlObject<GlBufferKind>;
 using GlTexture = GlObject<GlTextureKind>;
 using GlVertexArray = GlObject<GlVertexArrayKind>;
+using GlFramebuffer = GlObject<GlFramebufferKind>;
+using GlRenderbuffer = GlObject<GlRenderbufferKind>;
+
+/// Binds the framebuffer again that was bound before.
+class FramebufferGuard {
+ public:
+  FramebufferGuard() { glGetIntegerv(GL_FRAMEBUFFER_BINDING, &before_); }
+  ~FramebufferGuard() { glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(before_)); }
+  FramebufferGuard(const FramebufferGuard&) = delete;
+  FramebufferGuard& operator=(const FramebufferGuard&) = delete;
+
+ private:
+  GLint before_ = 0;
+};
 
 /// A vertex and a fragment shader, `STEM.vert` and `STEM.frag` of shaders/.
 class GlProgram {
  public:
-  /// Throws std::runtime_error with the driver's log where they do not compile or link.
-  explicit GlProgram(std::string_view stem);
+  /// `defines`: lines of GLSL that both begin with, after their version. Throws std::runtime_error with the driver's
+  /// log where they do not compile or link.
+  explicit GlProgram(std::string_view stem, std::string_view defines = {});
   ~GlProgram();
   GlProgram(const GlProgram&) = delete;
   GlProgram& operator=(const GlProgram&) = delete;
@@ -68,8 +99,12 @@ class GlProgram {
   void set(const char* uniform, float value) const { glUniform1f(at(uniform), value); }
   void set(const char* uniform, const glm::vec2& value) const { glUniform2fv(at(uniform), 1, &value[0]); }
   void set(const char* uniform, const glm::vec3& value) const { glUniform3fv(at(uniform), 1, &value[0]); }
+  void set(const char* uniform, const glm::vec4& value) const { glUniform4fv(at(uniform), 1, &value[0]); }
   void set(const char* uniform, std::span<const glm::vec3> values) const {
     glUniform3fv(at(uniform), static_cast<GLsizei>(values.size()), &values[0][0]);
+  }
+  void set(const char* uniform, std::span<const glm::vec4> values) const {
+    glUniform4fv(at(uniform), static_cast<GLsizei>(values.size()), &values[0][0]);
   }
   void set(const char* uniform, const glm::mat4& value) const {
     glUniformMatrix4fv(at(uniform), 1, GL_FALSE, &value[0][0]);

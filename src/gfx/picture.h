@@ -1,4 +1,4 @@
-// A picture in memory, to and from PNG.
+// A picture in memory, to PNG, and from PNG and JPEG.
 // Must not know: OpenGL, what it shows.
 #pragma once
 
@@ -19,7 +19,9 @@ struct Picture {
 std::string encodePng(const Picture& picture);
 /// Writes a PNG file whole or not at all. Throws InputError where it cannot be written.
 void writePng(const Picture& picture, const std::filesystem::path& path);
-/// Throws InputError where there is no readable PNG file.
-Picture readPng(const std::filesystem::path& path);
+/// From a PNG or JPEG file. Throws InputError where there is none that can be read, or where it is larger than
+/// kLargestPicture pixels a side.
+inline constexpr int kLargestPicture = 8192;
+Picture readPicture(const std::filesystem::path& path);
 
 }  // namespace tyg

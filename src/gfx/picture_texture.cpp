@@ -11,41 +11,12 @@ namespace {
 
 constexpr int kSamples = 4;
 
-struct FramebufferKind {
-  static GLuint make() {
-    GLuint name = 0;
-    glGenFramebuffers(1, &name);
-    return name;
-  }
-  static void destroy(GLuint name) { glDeleteFramebuffers(1, &name); }
-};
-struct RenderbufferKind {
-  static GLuint make() {
-    GLuint name = 0;
-    glGenRenderbuffers(1, &name);
-    return name;
-  }
-  static void destroy(GLuint name) { glDeleteRenderbuffers(1, &name); }
-};
-
-/// Binds the framebuffer that was bound before again.
-class FramebufferGuard {
- public:
-  FramebufferGuard() { glGetIntegerv(GL_FRAMEBUFFER_BINDING, &before_); }
-  ~FramebufferGuard() { glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(before_)); }
-  FramebufferGuard(const FramebufferGuard&) = delete;
-  FramebufferGuard& operator=(const FramebufferGuard&) = delete;
-
- private:
-  GLint before_ = 0;
-};
-
 }  // namespace
 
 struct PictureTexture::Impl {
   GlTexture texture;
-  GlObject<FramebufferKind> smooth, resolved;
-  GlObject<RenderbufferKind> colour, depth;
+  GlFramebuffer smooth, resolved;
+  GlRenderbuffer colour, depth;
 
   Impl(int width, int height) {
     const FramebufferGuard guard;

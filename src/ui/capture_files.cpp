@@ -35,12 +35,13 @@ std::string freeStemFor(const std::filesystem::path& folder, const std::string& 
 
 }  // namespace
 
-std::string CaptureFiles::keep(const Picture& picture, const EventLog& log) {
+std::string CaptureFiles::keep(const Picture& picture, const std::string& sceneText, const EventLog& log) {
   const std::string stem = freeStemFor(folder_, log.scene);
   writePng(picture, folder_ / (stem + ".png"));
-  writeWholeFile(folder_ / (stem + ".toml"), log.sceneText);
+  writeWholeFile(folder_ / (stem + ".toml"), sceneText);
   writeWholeFile(folder_ / (stem + ".csv"), formatEventLog(log));
-  return stem + ".png is kept; tyg run --replay " + shellWord(stem + ".csv") + " does this run again.";
+  return "saved to " + (folder_ / stem).string() + ".png, .toml and .csv; tyg run --replay " +
+         shellWord(stem + ".csv") + " does this run again";
 }
 
 void CaptureFiles::beginMovie(const std::string& sceneName, int width, int height) {
@@ -82,7 +83,8 @@ std::string CaptureFiles::endMovie() {
 std::string CaptureFiles::movieDone() {
   if (!movie_ || !movie_->isDone()) return {};
   const std::unique_ptr<MovieFeeder> movie = std::move(movie_);
-  return movieName_ + (movie->result() ? " is kept." : " was given up before it was finished: nothing was written.");
+  if (!movie->result()) return movieName_ + " was given up before it was finished: nothing was written.";
+  return "saved to " + (folder_ / movieName_).string();
 }
 
 std::string CaptureFiles::awaitMovie(const std::function<bool()>& hurry) {

@@ -20,9 +20,9 @@ class CaptureFiles {
   /// Files go into `folder`, which must exist by then; their names are tyg-SCENE-NUMBER.
   explicit CaptureFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// Writes the picture, the scene as the run began it, and the run's log, which holds that scene as well. Returns one
-  /// sentence that names the files. Throws InputError where they cannot be written.
-  std::string keep(const Picture& picture, const EventLog& log);
+  /// Writes the picture, the text of the scene that is shown, and the run's log, which holds the scene as the run began
+  /// it. Returns one sentence that names the files. Throws InputError where they cannot be written.
+  std::string keep(const Picture& picture, const std::string& sceneText, const EventLog& log);
 
   /// Begins a movie of pictures `width` x `height` (odd ones lose a row or column of pixels). Throws InputError where
   /// ffmpeg is missing or the file cannot be written.

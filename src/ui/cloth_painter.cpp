@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/forces/terms/air.h"
+#include "view/against_neighbours.h"
 #include "view/body_shapes.h"
 #include "view/wind_arrow.h"
 
@@ -38,22 +39,39 @@ std::optional<ShownWind> shownWind(const Viewer& viewer) {
   return ShownWind{wind, windArrowPlace(float(insets.left) / width, 1 - float(insets.right) / width)};
 }
 
-ClothPainter::ClothPainter(const Viewer& viewer)
+/// What a hand holds is not drawn as a pin: the text over the picture draws a ring around it.
+const Sheet& ClothPainter::withoutHeld(const ShownState& shown) {
+  if (shown.held().empty()) return shown.sheet();
+  sheetWithoutHeld_ = shown.sheet();
+  std::erase_if(sheetWithoutHeld_.pins, [&](int pin) { return std::ranges::binary_search(shown.held(), pin); });
+  return sheetWithoutHeld_;
+}
+
+ClothPainter::ClothPainter(const Viewer& viewer, float scale)
     : renderer_(std::make_unique<SheetRenderer>(viewer.run().simulation().sheet())),
+      scale_(scale),
       sheet_(viewer.scenes().sheetsSoFar()) {}
 
 void ClothPainter::draw(const Viewer& viewer, Panels& panels, Extent window) {
-  if (sheet_ != viewer.scenes().sheetsSoFar()) *this = ClothPainter(viewer);
+  if (sheet_ != viewer.scenes().sheetsSoFar()) *this = ClothPainter(viewer, scale_);
   ClothPicture picture{.options = viewer.view().drawOptions()};
   picture.options.wind = shownWind(viewer);
+  picture.options.scale = scale_;
+  followLook(viewer.scenes().scene(), picture.options);
   panels.paint(picture);
+  if (viewer.run().showsBreaking() && picture.options.colouring.by == Colouring::By::Family) {
+    against_.resize(viewer.run().shown().positions().size() / 3);
+    againstNeighbours(viewer.run().shown().sheet(), viewer.run().shown().positions(), against_);
+    picture.options.colouring = {
+        .by = Colouring::By::Particle, .ramp = Ramp::Balanced, .low = -1, .high = 1, .values = against_};
+  }
   placeBodies(viewer.run().simulation().scene(), viewer.run().shown().time(), bodies_);
   addShifted(bodies_, picture.ghostShift);
   picture.options.bodies = bodies_;
   const glm::ivec2 pixels{window.width, window.height};
   const Camera& camera = viewer.view().camera();
   const std::span<const float> positions = viewer.run().shown().positions();
-  renderer_->follow(viewer.run().shown().sheet());
+  renderer_->follow(withoutHeld(viewer.run().shown()));
   renderer_->draw(positions, camera, pixels, picture.options, viewer.tools().drawing().arrow);
   if (picture.ghost.size() != positions.size() || picture.ghostSheet == nullptr) return;
   if (!ghost_) ghost_ = std::make_unique<SheetRenderer>(*picture.ghostSheet);
@@ -62,6 +80,7 @@ void ClothPainter::draw(const Viewer& viewer, Panels& panels, Extent window) {
   ghost_->draw(picture.ghost, camera, pixels,
                {.pins = false,
                 .background = picture.options.background,
+                .scale = scale_,
                 .mesh = dark ? rgb(0xf4f6f8) : rgb(0x20242a),
                 .over = true,
                 .opacity = picture.ghostOpacity,

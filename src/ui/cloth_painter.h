@@ -17,16 +17,22 @@ std::optional<ShownWind> shownWind(const Viewer& viewer);
 
 class ClothPainter {
  public:
-  /// A context must be current as long as this lives. Throws as SheetRenderer does.
-  explicit ClothPainter(const Viewer& viewer);
+  /// A context must be current as long as this lives. `scale`: of the widths of lines and discs. Throws as
+  /// SheetRenderer does.
+  explicit ClothPainter(const Viewer& viewer, float scale = 1);
   /// Into the bound framebuffer. Makes a new renderer where the viewer has another sheet than before.
   void draw(const Viewer& viewer, Panels& panels, Extent window);
 
  private:
+  const Sheet& withoutHeld(const ShownState& shown);
+
   std::unique_ptr<SheetRenderer> renderer_;
   std::unique_ptr<SheetRenderer> ghost_;  ///< its springs may differ; null until one is shown
-  std::vector<Body> bodies_;              ///< as shown
-  int sheet_;                             ///< of SceneControl::sheetsSoFar(), the one that the renderer is for
+  Sheet sheetWithoutHeld_;
+  std::vector<float> against_;  ///< of each particle, which way it is moved against its neighbours
+  std::vector<Body> bodies_;    ///< as shown
+  float scale_;
+  int sheet_;  ///< of SceneControl::sheetsSoFar(), the one that the renderer is for
 };
 
 }  // namespace tyg

@@ -6,19 +6,22 @@
 #include <exception>
 #include <utility>
 
+#include "core/scene/scene_writer.h"
 #include "gfx/contexts/offscreen.h"
 #include "util/interrupt.h"
 
 namespace tyg {
 namespace {
 
-/// Shows what `work` says, or why it failed.
+/// Shows what `work` says, long enough to read where files are, or why it failed.
 template <class Work>
-void tell(Notes& notes, const Work& work) {
+void tell(Viewer& viewer, const Work& work) {
   try {
-    if (std::string said = work(); !said.empty()) notes.say(std::move(said));
+    if (std::string said = work(); !said.empty()) {
+      viewer.notes().say(std::move(said), viewer.run().now() + Notes::kFiles);
+    }
   } catch (const std::exception& error) {
-    notes.warn(error.what());
+    viewer.notes().warn(error.what());
   }
 }
 
@@ -35,7 +38,7 @@ bool FrameCapture::handle(const WindowEvent& event) {
 }
 
 void FrameCapture::toggleMovie(Viewer& viewer, Extent window) {
-  tell(viewer.notes(), [&]() -> std::string {
+  tell(viewer, [&]() -> std::string {
     if (files_.filming()) return files_.endMovie();
     files_.beginMovie(viewer.scenes().scene().name, window.width, window.height);
     return {};
@@ -43,18 +46,18 @@ void FrameCapture::toggleMovie(Viewer& viewer, Extent window) {
 }
 
 void FrameCapture::film(Viewer& viewer, Extent window) {
-  tell(viewer.notes(), [&] { return files_.movieDone(); });
+  tell(viewer, [&] { return files_.movieDone(); });
   if (std::exchange(movieAsked_, false)) toggleMovie(viewer, window);
   if (!files_.filming()) return;
   readFramebuffer(window.width, window.height, pixels_);
-  tell(viewer.notes(), [&] { return files_.film(pixels_, viewer.run().now()); });
+  tell(viewer, [&] { return files_.film(pixels_, viewer.run().now()); });
 }
 
 void FrameCapture::takePicture(Viewer& viewer, Extent window) {
   // On the way to a past time, what is shown is not what the run's log would lead to.
   if (viewer.run().seeking() || !std::exchange(pictureAsked_, false)) return;
   readFramebuffer(window.width, window.height, pixels_);
-  tell(viewer.notes(), [&] { return files_.keep(pixels_, viewer.run().recordShown()); });
+  tell(viewer, [&] { return files_.keep(pixels_, sceneToToml(viewer.scenes().scene()), viewer.run().recordShown()); });
 }
 
 std::string FrameCapture::end() {

@@ -3,11 +3,14 @@
 #include "ui/frame_loop.h"
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <filesystem>
 
+#include <fmt/core.h>
 #include <imgui.h>
 
+#include "core/scene/look_keys.h"
 #include "util/calibration_clock.h"
 #include "util/interrupt.h"
 
@@ -24,11 +27,13 @@ constexpr double kShortestFrame = 1.0 / 250;
 
 }  // namespace
 
-FrameLoop::FrameLoop(OpeningWindow& opening, Viewer& viewer, const std::optional<std::string>& log)
+FrameLoop::FrameLoop(OpeningWindow& opening, Viewer& viewer, WindowMemory& memory,
+                     const std::optional<std::string>& log)
     : viewer_(viewer),
+      memory_(memory),
       window_(opening.window()),
       imgui_(opening.imgui()),
-      painter_(viewer),
+      painter_(viewer, imgui_.scale()),
       hud_(imgui_.fonts()),
       panels_(imgui_.fonts().size, viewer),
       capture_(std::filesystem::current_path()),
@@ -37,13 +42,40 @@ FrameLoop::FrameLoop(OpeningWindow& opening, Viewer& viewer, const std::optional
       log_(log ? std::make_unique<ViewLog>(*log) : nullptr),
       title_(windowTitle(viewer.scenes().scene())),
       opened_(wallClock()),
-      stale_(kFramesToSettle) {}
+      stale_(kFramesToSettle) {
+  recall();
+}
+
+void FrameLoop::recall() {
+  if (const auto ground = memory_.find("background")) {
+    if (*ground != "light" && *ground != "dark") memory_.refuse("background");
+    const bool isDark = viewer_.view().drawOptions().background == Background::Dark;
+    if (*ground == "light" && isDark) viewer_.perform(InputAction::ChangeBackground);
+  }
+  if (const auto look = memory_.find("look"); look && !viewer_.view().chosenShow()) {
+    constexpr std::array kAll{Show::Lines, Show::Surface, Show::Both};
+    const auto* const found = std::ranges::find(kAll, *look, [](Show show) { return nameOf(show); });
+    found == kAll.end() ? memory_.refuse("look") : viewer_.show(*found);
+  }
+  if (!memory_.trouble().empty()) viewer_.notes().warn(memory_.trouble());
+}
+
+void FrameLoop::remember() {
+  memory_.keep("background", viewer_.view().drawOptions().background == Background::Light ? "light" : "dark");
+  if (const auto show = viewer_.view().chosenShow()) {
+    memory_.keep("look", std::string(nameOf(*show)));
+  }
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  if (size.x >= 1 && size.y >= 1) memory_.keep("size", fmt::format("{:.0f}x{:.0f}", size.x, size.y));
+}
 
 std::string FrameLoop::run() {
   while (!window_.closeRequested() && !viewer_.leaving() && !interrupted()) {
     const double began = wallClock();
     takeEvents();
-    viewer_.resize(window_.framebuffer(), insets());
+    const Insets taken = insets();
+    if (taken != viewer_.view().insets()) stale_ = kFramesToSettle;
+    viewer_.resize(window_.framebuffer(), taken);
     const bool moving = !viewer_.idle() || panels_.busy() || capture_.busy();
     viewer_.frame();
     panels_.follow(viewer_);
@@ -51,6 +83,7 @@ std::string FrameLoop::run() {
     writeLog();
     spare_ = std::max(0.0, kShortestFrame - (wallClock() - began));
   }
+  remember();
   return endMovie();
 }
 
@@ -63,21 +96,34 @@ std::string FrameLoop::endMovie() {
 }
 
 void FrameLoop::takeEvents() {
+  if (window_.overlayBehind()) stale_ = std::max(stale_, 1);
   const bool hidden = shown_ == Extent{};
   const double rest = log_ ? kIdleSeconds : kAsleepSeconds;
   const double patience = viewer_.idle() || hidden ? rest : spare_;
   for (const WindowEvent& event : window_.events(stale_ > 0 || panels_.busy() || capture_.busy() ? spare_ : patience)) {
     stale_ = kFramesToSettle;
+    const bool pressed = event.kind == WindowEvent::Kind::Press;
+    if (pressed && event.key == functionKey(11)) window_.toggleFullScreen();
     (void)router_.route(event);
+    for (const WindowEvent& key : hud_.takeKeys()) (void)router_.route(key);
   }
   if (window_.framebuffer() != shown_) stale_ = kFramesToSettle;
 }
 
-/// Where an edge has panels, they are there instead of the keys.
+/// Where the left edge has panels, they are there instead of the keys. In a wide window the right is left free like the
+/// left with the keys, so that the cloth is in the middle.
 Insets FrameLoop::insets() const {
-  const int keys = viewer_.view().showsHelp() ? hud_.keysWidth(window_.framebuffer()) : 0;
-  const auto at = [&](Edge edge) { return panels_.width(edge) > 0 ? static_cast<int>(panels_.width(edge)) : keys; };
-  return {.left = at(Edge::Left), .right = at(Edge::Right), .beside = panels_.beside()};
+  const Extent window = window_.framebuffer();
+  const int keys = viewer_.view().showsHelp() ? hud_.keysWidth(window) : 0;
+  const auto left = static_cast<int>(panels_.width(Edge::Left)), right = static_cast<int>(panels_.width(Edge::Right));
+  const bool wide = left == 0 && 2 * (keys + keys) <= window.width;
+  return {.left = left > 0 ? left : keys,
+          .right = right > 0 ? right
+                   : wide    ? keys
+                             : 0,
+          .top = hud_.above(),
+          .bottom = hud_.below(viewer_),
+          .beside = panels_.beside()};
 }
 
 void FrameLoop::show() {

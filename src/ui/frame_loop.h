@@ -15,15 +15,16 @@
 #include "viewer/hints.h"
 #include "viewer/view_log.h"
 #include "viewer/viewer.h"
+#include "viewer/window_memory.h"
 
 namespace tyg {
 
 class FrameLoop {
  public:
-  /// `opening` and `viewer` must live as long as this does. `log` is a file for one CSV line a frame; a window with one
-  /// shows no hints. Throws std::runtime_error where the driver refuses the shaders, and InputError where the log
-  /// cannot be written.
-  FrameLoop(OpeningWindow& opening, Viewer& viewer, const std::optional<std::string>& log);
+  /// `opening`, `viewer` and `memory` must live as long as this does. `log` is a file for one CSV line a frame; a
+  /// window with one shows no hints. Throws std::runtime_error where the driver refuses the shaders, and InputError
+  /// where the log cannot be written.
+  FrameLoop(OpeningWindow& opening, Viewer& viewer, WindowMemory& memory, const std::optional<std::string>& log);
 
   /// Until the window is closed, the person leaves, or the program is interrupted. Returns what is left to tell the
   /// person when the window is gone; empty: nothing.
@@ -38,8 +39,11 @@ class FrameLoop {
   void updateHints();
   void writeLog();
   std::string endMovie();
+  void recall();
+  void remember();
 
   Viewer& viewer_;
+  WindowMemory& memory_;
   Window& window_;
   ImGuiSession& imgui_;
   ClothPainter painter_;

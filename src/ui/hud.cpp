@@ -10,15 +10,17 @@
 
 #include "tyg/methods.h"
 #include "ui/cloth_painter.h"
+#include "ui/failure_picture.h"
 #include "util/visible_text.h"
+#include "view/picking.h"
 
 namespace tyg {
 
-/// One of the two blocks of keys: left, driving; right, choices.
+/// The short list of keys.
 struct Hud::Column {
   float size = 0, left = 0, top = 0;
-  float keys = 0, width = 0;  ///< of the key names, of the whole block
-  int lines = 0;
+  KeyList::Widths widths;
+  [[nodiscard]] float width() const { return widths.all * size; }
 };
 
 namespace {
@@ -27,6 +29,8 @@ constexpr float kLineRatio = 1.35F;
 /// Sizes of the text from the window's upper edge to the left keys: the title is there.
 constexpr float kAbove = 1 + 1.5F * kLineRatio;
 constexpr float kLeastFit = 0.55F;
+/// Lines of text that a window has room for at least: in a low one large text is smaller.
+constexpr float kFewestLines = 20;
 /// Of the window's width, for the keys on each side.
 constexpr float kKeysShare = 0.26F;
 ImVec2 extentOf(ImFont* font, float size, std::string_view text, float wrap = 0) {
@@ -41,15 +45,18 @@ ImVec2 screenSize() { return ImGui::GetIO().DisplaySize; }
 
 bool isOn(const HelpLine& line, const Viewer& viewer) {
   const DrawOptions& draw = viewer.view().drawOptions();
-  switch (line.action) {
+  const bool lines = draw.show != Show::Surface;
+  switch (line.action()) {
     case InputAction::ChooseMethod:
       return &methods()[line.method] == &viewer.scenes().method();
+    case InputAction::ChangeShow:
+      return draw.show != Show::Lines;
     case InputAction::ShowStructural:
-      return draw.structural;
+      return lines && draw.structural;
     case InputAction::ShowShear:
-      return draw.shear;
+      return lines && draw.shear;
     case InputAction::ShowBend:
-      return draw.bend;
+      return lines && draw.bend;
     case InputAction::ShowParticles:
       return draw.particles;
     case InputAction::ShowPins:
@@ -69,71 +76,79 @@ TextWriter Hud::writerFor(const Viewer& viewer) const {
   return {ImGui::GetBackgroundDrawList(), fonts_.text, size_, viewer.view().drawOptions().background};
 }
 
-Hud::Column Hud::measure(bool choices) const {
-  Column column{.size = size_};
-  float help = 0;
-  for (const HelpLine& line : help_) {
-    if (isChoice(line.action) != choices) continue;
-    column.keys = std::max(column.keys, extentOf(fonts_.text, size_, line.keys).x);
-    help = std::max(help, extentOf(fonts_.text, size_, line.help).x);
-    ++column.lines;
-  }
-  column.keys += size_;
-  column.width = column.keys + help;
-  return column;
-}
+/// For widths alone, which do not depend on colours.
+TextWriter Hud::keysWriter() const { return {nullptr, fonts_.text, size_, Background::Dark}; }
 
-/// `room`: how far to the right and how far down the keys of both sides may reach.
-Hud::Column Hud::columnOf(bool choices, const ImVec2& room) const {
-  Column column = measure(choices);
-  const Column other = measure(!choices);
-  const auto lines =
-      static_cast<float>(std::max(column.lines, other.lines) + 1);  // one for the gap between the choices
-  const float height = room.y - kAbove * size_;
-  const float width = size_ + std::max(column.width, other.width);
+/// `room`: how far to the right and how far down the keys may reach.
+Hud::Column Hud::columnIn(const ImVec2& room) const {
+  const std::vector<const HelpLine*> lines = firstLines(help_, help_.size());
+  Column column{.size = size_, .left = size_, .top = size_ * kAbove, .widths = KeyList::widthsOf(keysWriter(), lines)};
+  const float height = room.y - column.top, width = size_ + column.width();
   // A window too small for the keys gets smaller keys rather than cut ones, or keys over the cloth; a very low one
   // those that fit and can be read.
-  const float fit =
-      std::min({1.0F, std::max(kLeastFit, height / (kLineRatio * size_ * lines)), kKeysShare * room.x / width});
-  column.size *= fit, column.keys *= fit, column.width *= fit;
-  column.left = choices ? room.x - size_ - column.width : size_;
-  column.top = choices ? size_ : size_ * kAbove;
+  const float fits = height / (kLineRatio * size_ * float(lines.size()));
+  column.size *= std::min({1.0F, std::max(kLeastFit, fits), kKeysShare * room.x / width});
   return column;
 }
 
 int Hud::keysWidth(Extent window) const {
   if (window.width <= 0 || window.height <= 0) return 0;
   const ImVec2 room{static_cast<float>(window.width), static_cast<float>(window.height) - kFoot * size_};
-  return static_cast<int>(std::max(columnOf(false, room).width, columnOf(true, room).width) + 2 * size_);
+  return static_cast<int>(columnIn(room).width() + 2 * size_);
+}
+
+bool Hud::pressKey(const WindowEvent& event, const Input* under) {
+  if (event.kind != WindowEvent::Kind::Press || event.key != kLeftButton || under == nullptr) return false;
+  keyDown_ = under->key;
+  keyEvents_.push_back({.kind = WindowEvent::Kind::Press, .key = keyDown_});
+  return true;
+}
+
+bool Hud::pressAllKeys(const WindowEvent& event, Viewer& viewer) {
+  if (event.kind == WindowEvent::Kind::Release && event.key == kLeftButton && keyDown_ != 0) {
+    keyEvents_.push_back({.kind = WindowEvent::Kind::Release, .key = std::exchange(keyDown_, KeyCode{0})});
+  }
+  if (!viewer.view().showsAllKeys() || event.kind != WindowEvent::Kind::Press) return false;
+  if (!isMouse(event.key) && event.key != kEscapeKey) return false;
+  const Input* under = event.key == kLeftButton ? allKeys_.at(positionOf(event)) : nullptr;
+  viewer.perform(InputAction::ShowAllKeys);
+  if (under != nullptr && under->action != InputAction::ShowAllKeys) pressKey(event, under);
+  return true;
 }
 
 void Hud::draw(const Viewer& viewer, Panels& panels) {
+  size_ = std::min(fonts_.size, std::max(1.0F, screenSize().y / kFewestLines));
   const Colours& colours = coloursOn(viewer.view().drawOptions().background);
   const TextWriter writer = writerFor(viewer);
   const std::string title = oneLine(viewer.run().simulation().scene().title);
   writer.shade({size_, size_}, {size_ + writer.extent(title).x, 2 * size_});
   writer.write({size_, size_}, colours.text, title);
-  drawTools(viewer, panels, size_ + writer.extent(title).x);
+  drawTools(viewer, size_ + writer.extent(title).x);
   const float free = drawFoot(viewer, panels);
-  if (viewer.view().showsHelp()) {
-    for (const bool choices : {false, true}) {
-      if (panels.width(choices ? Edge::Right : Edge::Left) == 0) drawKeys(viewer, colours, choices, free);
-    }
-  } else if (panels.width(Edge::Left) == 0) {
-    write(fonts_.text, size_, {size_, size_ * (1 + kLineRatio)}, colours.dim, "H shows the keys");
-  }
+  keys_.clear();
+  if (panels.width(Edge::Left) == 0) drawKeys(viewer, free);
   drawWind(viewer, colours);
   drawArrow(viewer, colours);
+  if (viewer.run().state() == RunState::Frozen || viewer.run().showsBreaking()) {
+    const float top = kTop * size_, right = screenSize().x - panels.width(Edge::Right) - size_;
+    drawFailurePicture(writer, {right, top}, free - top - size_, viewer);
+  }
+  if (!viewer.view().showsAllKeys()) return allKeys_.hide();
+  allKeys_.draw(writer, help_, [&](const HelpLine& line) { return isOn(line, viewer); });
 }
 
 /// In the upper line, right of the title, which ends at `from`; and the line that is drawn to cut along.
-void Hud::drawTools(const Viewer& viewer, const Panels& panels, float from) {
-  const ImVec2 screen = screenSize();
-  const bool keys = viewer.view().showsHelp() && panels.width(Edge::Right) == 0;
-  const float right = keys ? columnOf(true, {screen.x, screen.y - kFoot * size_}).left : screen.x;
-  tools_.draw(writerFor(viewer), {from + 1.5F * size_, right - 1.5F * size_}, viewer);
+void Hud::drawTools(const Viewer& viewer, float from) {
+  tools_.draw(writerFor(viewer), {from + 1.5F * size_, screenSize().x - size_}, viewer);
   const ToolDrawing drawing = viewer.tools().drawing();
   if (drawing.cut) drawCutLine(writerFor(viewer), *drawing.cut);
+  const std::span<const float> xyz = viewer.run().shown().positions();
+  const Extent pixels = viewer.view().pixels();
+  for (const int particle : viewer.run().shown().held()) {
+    const float* p = &xyz[3 * static_cast<std::size_t>(particle)];
+    drawHold(writerFor(viewer),
+             placeInWindow(viewer.view().camera(), {p[0], p[1], p[2]}, {pixels.width, pixels.height}));
+  }
 }
 
 /// Its speed, below its arrow.
@@ -149,25 +164,16 @@ void Hud::drawWind(const Viewer& viewer, const Colours& colours) const {
 }
 
 /// As many lines as fit above `free`, which may be smaller there than elsewhere.
-void Hud::drawKeys(const Viewer& viewer, const Colours& colours, bool choices, float free) const {
+void Hud::drawKeys(const Viewer& viewer, float free) {
   const ImVec2 screen = screenSize();
-  const Column column = columnOf(choices, {screen.x, std::min(free, screen.y - kFoot * size_)});
-  const float gap = choices ? 0.6F * column.size : 0, height = kLineRatio * column.size;
-  const float room = std::max(0.0F, (free - column.top - gap) / height);
-  const std::vector<const HelpLine*> lines = linesThatFit(help_, choices, static_cast<std::size_t>(room));
-  writerFor(viewer).shade({column.left, column.top},
-                          {column.left + column.width, column.top + gap + height * float(lines.size())});
+  const Column column = columnIn({screen.x, std::min(free, screen.y - kFoot * size_)});
+  TextWriter writer = writerFor(viewer);
+  writer.size = column.size;
+  const float height = kLineRatio * column.size, room = viewer.view().showsHelp() ? free - column.top : height;
   float y = column.top;
-  bool methodLines = choices;
-  for (const HelpLine* each : lines) {
-    const HelpLine& line = *each;
-    if (methodLines && line.action != InputAction::ChooseMethod) {
-      methodLines = false;
-      y += gap;
-    }
-    const bool on = isOn(line, viewer);
-    write(fonts_.text, column.size, {column.left, y}, on ? colours.accent : colours.text, line.keys);
-    write(fonts_.text, column.size, {column.left + column.keys, y}, on ? colours.accent : colours.dim, line.help);
+  for (const HelpLine* line : firstLines(help_, static_cast<std::size_t>(std::max(0.0F, room / height)))) {
+    writer.shade({column.left, y}, {column.left + column.width(), y + height});
+    keys_.draw(writer, {column.left, y}, column.widths, *line, isOn(*line, viewer));
     y += height;
   }
 }
@@ -181,7 +187,7 @@ void Hud::drawArrow(const Viewer& viewer, const Colours& colours) const {
   const auto point = [](glm::vec2 p) { return ImVec2(p.x, p.y); };
   ImGui::GetBackgroundDrawList()->AddTriangleFilled(point(arrow->tip), point(back - side), point(back + side),
                                                     colours.accent);
-  constexpr std::string_view kLabel = "the cloth is there: F finds it";
+  constexpr std::string_view kLabel = "the cloth is there: F fits it in view";
   const ImVec2 extent = extentOf(fonts_.text, size_, kLabel);
   const glm::vec2 middle = back - arrow->direction * (size_ + 0.5F * extent.x * std::abs(arrow->direction.x));
   const ImVec2 at{std::clamp(middle.x - 0.5F * extent.x, size_, std::max(size_, screen.x - extent.x - size_)),

@@ -4,9 +4,12 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "ui/all_keys.h"
 #include "ui/fonts.h"
+#include "ui/key_list.h"
 #include "ui/overlay.h"
 #include "ui/panels/panels.h"
 #include "ui/tool_bar.h"
@@ -22,12 +25,21 @@ class Hud {
 
   /// True where the event was a press on one of the buttons, whose action was then performed.
   bool pressButton(const WindowEvent& event, Viewer& viewer) {
-    return buttons_.handle(event, viewer) || tools_.handle(event, viewer);
+    return buttons_.handle(event, viewer) || tools_.handle(event, viewer) ||
+           pressKey(event, keys_.at(positionOf(event)));
   }
+  /// The same for the long list of keys, while it is shown: any press outside it, and Esc, closes it. What a press on a
+  /// key comes to is in takeKeys().
+  bool pressAllKeys(const WindowEvent& event, Viewer& viewer);
+  /// The keys that were pressed and let go of by the mouse since the last call, to be routed like those of a keyboard.
+  [[nodiscard]] std::vector<WindowEvent> takeKeys() { return std::exchange(keyEvents_, {}); }
   /// True where the event was for the time line.
   bool dragTime(const WindowEvent& event, Viewer& viewer) { return timeLine_.handle(event, viewer); }
-  /// Pixels that the keys take on each side of a window of this size.
+  /// Pixels that the short list of keys takes at the left of a window of this size.
   [[nodiscard]] int keysWidth(Extent window) const;
+  /// Pixels that bars and what is said take at the upper and the lower edge.
+  [[nodiscard]] int above() const { return static_cast<int>(kTop * size_); }
+  [[nodiscard]] int below(const Viewer& viewer) const;
   /// Between ImGui::NewFrame and ImGui::Render. Keys are left out at an edge that has panels, and the panels are told
   /// how far down they may reach.
   void draw(const Viewer& viewer, Panels& panels);
@@ -37,17 +49,19 @@ class Hud {
   void filming(std::string_view text) { filming_ = text; }
 
  private:
-  /// Heights at the foot, in sizes of the text: a line, the time line, and both with the status below them.
-  static constexpr float kLine = 1.5F, kTimeLine = 2, kFoot = 2 + kLine + 0.6F + kTimeLine;
+  /// Heights at the foot, in sizes of the text: a line, the time line, and both with the status below them; and of the
+  /// bars at the upper edge.
+  static constexpr float kLine = 1.5F, kTimeLine = 2, kFoot = 2 + kLine + 0.6F + kTimeLine, kTop = 2.4F;
   struct Column;
   struct Middle;
   [[nodiscard]] Middle middleBetween(const Panels& panels, float keys, float bottom) const;
   [[nodiscard]] TextWriter writerIn(const Viewer& viewer, const Middle& middle) const;
   static void ground(const TextWriter& writer, ImVec2 from, ImVec2 to, const Middle& middle);
   static void sayInMiddle(const TextWriter& writer, ImU32 colour, std::string_view text, Middle& middle);
-  [[nodiscard]] Column measure(bool choices) const;
-  [[nodiscard]] Column columnOf(bool choices, const ImVec2& room) const;
-  void drawKeys(const Viewer& viewer, const Colours& colours, bool choices, float free) const;
+  bool pressKey(const WindowEvent& event, const Input* under);
+  [[nodiscard]] TextWriter keysWriter() const;
+  [[nodiscard]] Column columnIn(const ImVec2& room) const;
+  void drawKeys(const Viewer& viewer, float free);
   [[nodiscard]] TextWriter writerFor(const Viewer& viewer) const;
   float drawFoot(const Viewer& viewer, Panels& panels);
   [[nodiscard]] float drawStatus(const Viewer& viewer) const;
@@ -55,7 +69,7 @@ class Hud {
   [[nodiscard]] std::string promptText(const Viewer& viewer) const;
   void drawPrompt(const Viewer& viewer, Middle& middle) const;
   void drawFailure(const Viewer& viewer, Middle& middle);
-  void drawTools(const Viewer& viewer, const Panels& panels, float from);
+  void drawTools(const Viewer& viewer, float from);
   void drawWind(const Viewer& viewer, const Colours& colours) const;
   void drawArrow(const Viewer& viewer, const Colours& colours) const;
 
@@ -63,6 +77,11 @@ class Hud {
   float size_;  ///< of the text, in ImGui's units
   std::vector<HelpLine> help_;
   std::string hint_, filming_;
+  KeyList keys_;
+  AllKeys allKeys_;
+  std::vector<WindowEvent> keyEvents_;
+  KeyCode keyDown_ = 0;  ///< by the mouse
+  float failure_ = 0;    ///< height of all that is at the foot with the last failure, ImGui's units; 0 before
   TimeLine timeLine_;
   Buttons buttons_;
   ToolBar tools_;

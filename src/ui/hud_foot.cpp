@@ -11,11 +11,19 @@
 namespace tyg {
 namespace {
 
-constexpr float kLeastMiddle = 30;  // to write in between the panels
-constexpr float kAbove = 0.6F;      // between what is said and what is below
+constexpr float kLeastMiddle = 30;     // to write in between the panels
+constexpr float kAbove = 0.6F;         // between what is said and what is below
+constexpr float kFailureShare = 0.3F;  // of the window's height, for what is said of a failure: else it is said smaller
+constexpr float kSmallest = 0.65F;     // but not smaller than this share of the text
 
 /// `1/8 speed`; nothing at full speed.
 std::string speedText(double speed) { return speed < 1 ? fmt::format("  \u00b7  1/{:.0f} speed", 1 / speed) : ""; }
+
+/// Which of the two is slow, where frames come late.
+std::string_view slowText(Pace::Slow slow) {
+  if (slow == Pace::Slow::Drawing) return "  \u00b7  drawing is slow";
+  return slow == Pace::Slow::Simulating ? "  \u00b7  simulating is slow" : "";
+}
 
 Extent framebuffer() {
   const ImGuiIO& io = ImGui::GetIO();
@@ -23,17 +31,21 @@ Extent framebuffer() {
           .height = static_cast<int>(io.DisplaySize.y * io.DisplayFramebufferScale.y)};
 }
 
+/// It was let run on, and a moment after the alarm is shown.
+bool isBreaking(const RunControl& run) {
+  return run.failure().runsOn() && run.shown().time() >= run.failure().alarmTime();
+}
+
 std::vector<Buttons::Button> waysOut(const Viewer& viewer) {
   std::vector<Buttons::Button> buttons;
-  const bool canRunOn = viewer.run().simulation().status() == Status::Unstable && !viewer.run().failure().runsOn();
   if (const auto& cure = viewer.run().failure().cure()) {
     const std::string step = fmt::format("a step of {:.3g} ms", 1e3 * cure->step);
     if (cure->step > 0) buttons.push_back({"V", step, InputAction::SafeStep});
     if (cure->method != nullptr) buttons.push_back({"M", std::string(cure->method->name), InputAction::HoldingMethod});
     buttons.push_back({"J", "see it again, slowly", InputAction::Again});
-    if (canRunOn) buttons.push_back({"Enter", "run on, let it break", InputAction::RunOn});
+    if (viewer.run().canRunOn()) buttons.push_back({"Enter", "run on, let it break", InputAction::RunOn});
   }
-  buttons.push_back({",", "a step back", InputAction::StepBack});
+  buttons.push_back({",", "step back", InputAction::StepBack});
   buttons.push_back({"R", "restart", InputAction::Restart});
   return buttons;
 }
@@ -42,28 +54,25 @@ std::vector<Buttons::Button> waysOut(const Viewer& viewer) {
 
 /// Where text in the middle of the window goes: between the panels, or over them where that is too narrow.
 struct Hud::Middle {
-  float from = 0, to = 0;     ///< across the window
-  float left = 0, right = 0;  ///< between the keys
-  bool free = false;          ///< of panels
-  float top = 0;              ///< above what has been said so far
-  float sides = 0;            ///< above what of it reaches over the keys
+  float from = 0, to = 0;  ///< across the window
+  float keys = 0;          ///< to the right of the keys
+  bool free = false;       ///< of panels
+  float top = 0;           ///< above what has been said so far
+  float sides = 0;         ///< above what of it reaches over the keys
 };
 
-/// `keys`: the width that they take where there are no panels.
+/// `keys`: the width that they take at the left where there are no panels.
 Hud::Middle Hud::middleBetween(const Panels& panels, float keys, float bottom) const {
   const float screen = ImGui::GetIO().DisplaySize.x;
-  const auto side = [&](Edge edge) { return panels.width(edge) > 0 ? panels.width(edge) : keys; };
-  const float left = side(Edge::Left), right = screen - side(Edge::Right);
+  const float left = panels.width(Edge::Left), right = screen - panels.width(Edge::Right);
   const bool free = right - left >= kLeastMiddle * size_;
-  const auto keysAt = [&](Edge edge) { return panels.width(edge) > 0 ? 0 : keys; };
-  return {free ? left : 0, free ? right : screen, keysAt(Edge::Left), screen - keysAt(Edge::Right), free, bottom,
-          bottom};
+  return {free ? left : 0, free ? right : screen, left > 0 ? 0 : keys, free, bottom, bottom};
 }
 
 /// Over the panels where there is no room between them.
 TextWriter Hud::writerIn(const Viewer& viewer, const Middle& middle) const {
   TextWriter writer = writerFor(viewer);
-  if (!middle.free) writer.list = ImGui::GetForegroundDrawList();
+  if (!middle.free && !viewer.view().showsAllKeys()) writer.list = ImGui::GetForegroundDrawList();
   return writer;
 }
 
@@ -80,7 +89,13 @@ void Hud::sayInMiddle(const TextWriter& writer, ImU32 colour, std::string_view t
   ground(writer, at, {at.x + extent.x, at.y + extent.y}, middle);
   writer.write(at, colour, text, wrap);
   middle.top = at.y - 0.3F * writer.size;
-  if (at.x < middle.left || at.x + extent.x > middle.right) middle.sides = middle.top;
+  if (at.x < middle.keys) middle.sides = middle.top;
+}
+
+int Hud::below(const Viewer& viewer) const {
+  constexpr float kSaid = 2.2F;  // a line in the large font
+  const bool frozen = viewer.run().state() == RunState::Frozen;
+  return static_cast<int>(frozen && failure_ > 0 ? failure_ : (kFoot - kTimeLine + kSaid) * size_);
 }
 
 /// Returns the height down to which keys may be written: what is said in the middle does not cover them.
@@ -118,6 +133,7 @@ float Hud::drawStatus(const Viewer& viewer) const {
     text += "- frames/s  \u00b7  - % simulating";
   }
   if (viewer.behind()) text += fmt::format("  \u00b7  {:.2g} of real time", pace.realTime);
+  if (viewer.run().state() == RunState::Running) text += slowText(pace.slow);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   TextWriter writer = writerFor(viewer);
   const float room = screen.x - 2 * size_, width = writer.extent(text).x;
@@ -143,18 +159,25 @@ float Hud::drawTimeLine(const Viewer& viewer, float bottom) {
 }
 
 void Hud::drawFailure(const Viewer& viewer, Middle& middle) {
-  const TextWriter writer = writerIn(viewer, middle);
+  TextWriter writer = writerIn(viewer, middle);
   const float bottom = middle.top - kAbove * size_;
   const std::vector<Buttons::Button> buttons = waysOut(viewer);
   const float room = middle.to - middle.from - 4 * size_;
-  const ImVec2 extent = writer.extent(viewer.run().failure().message(), room);
-  const float row = Buttons::height(writer, buttons, room);
+  ImVec2 extent;
+  float row = 0;
+  for (float share = 1; share >= kSmallest; share -= 0.05F) {  // the cloth is to be seen above
+    writer.size = share * size_;
+    extent = writer.extent(viewer.run().failure().message(), room);
+    row = Buttons::height(writer, buttons, room);
+    if (extent.y + row <= kFailureShare * ImGui::GetIO().DisplaySize.y) break;
+  }
   const float width = std::max(extent.x, std::min(room, Buttons::width(writer, buttons)));
   const ImVec2 at{0.5F * (middle.from + middle.to - width), bottom - row - 0.5F * size_ - extent.y};
   ground(writer, {at.x - 0.5F * size_, at.y - 0.4F * size_}, {at.x + width + 0.5F * size_, bottom}, middle);
   writer.write(at, coloursOn(writer.background).warning, viewer.run().failure().message(), room);
   buttons_.draw(writer, {at.x, at.y + extent.y + 0.5F * size_}, buttons, room);
   middle.top = at.y - 0.4F * size_;
+  failure_ = ImGui::GetIO().DisplaySize.y - middle.top;
 }
 
 /// What there is to say while the cloth has not failed; empty: nothing.
@@ -162,13 +185,13 @@ std::string Hud::promptText(const Viewer& viewer) const {
   const RunControl& run = viewer.run();
   const Timeline time = run.timeline();
   if (!viewer.notes().text().empty()) return viewer.notes().text();
-  if (run.state() == RunState::Waiting) return "space to start";
+  if (run.state() == RunState::Waiting) return "space, a click or a drag starts it";
   if (run.state() == RunState::Paused && time.past) {
     return fmt::format("{:.2f} s back  \u00b7  space goes on from here", time.newest - time.shown);
   }
   if (run.state() == RunState::Paused) return "paused  \u00b7  space goes on";
-  if (run.asleep()) return "asleep: nothing moves  \u00b7  a push wakes it";
-  if (run.failure().runsOn()) return "past its alarm: V takes a safe step, M a method that holds, R restarts";
+  if (run.asleep()) return "at rest  \u00b7  click the cloth to push it";
+  if (isBreaking(run)) return "unstable: V takes a safe step, M a method that holds, R restarts";
   return hint_;
 }
 
@@ -177,7 +200,7 @@ void Hud::drawPrompt(const Viewer& viewer, Middle& middle) const {
   if (text.empty()) return;
   TextWriter writer = writerIn(viewer, middle);
   const bool noted = !viewer.notes().text().empty();
-  const bool warns = noted ? viewer.notes().warns() : viewer.run().failure().runsOn();
+  const bool warns = noted ? viewer.notes().warns() : isBreaking(viewer.run());
   const Colours& colours = coloursOn(writer.background);
   const RunState state = viewer.run().state();
   const bool prompts = state == RunState::Waiting || state == RunState::Paused;

@@ -11,13 +11,14 @@ constexpr float kTextPixels = 18;
 
 }  // namespace
 
-ImGuiSession::ImGuiSession(Window& window, double uiScale) : window_(window) {
+ImGuiSession::ImGuiSession(Window& window, double uiScale)
+    : window_(window), scale_(static_cast<float>(uiScale * window.contentScale())) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
   io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
-  fonts_.size = static_cast<float>(kTextPixels * uiScale * window.contentScale());
+  fonts_.size = kTextPixels * scale_;
   fonts_.text = addFont(*io.Fonts, fonts_.size);
   fonts_.large = addFont(*io.Fonts, fonts_.size * kLargeRatio);
   io.Fonts->Build();  // texts are measured before the first frame

@@ -17,12 +17,14 @@ class ImGuiSession {
   ImGuiSession& operator=(const ImGuiSession&) = delete;
 
   [[nodiscard]] const TextFonts& fonts() const { return fonts_; }
+  [[nodiscard]] float scale() const { return scale_; }  ///< of all that is drawn; 1 on an ordinary screen
   /// What is drawn with ImGui between these two comes onto the picture at the end.
   void beginFrame();
   static void endFrame();
 
  private:
   Window& window_;
+  float scale_;
   TextFonts fonts_;
 };
 

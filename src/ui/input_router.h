@@ -33,8 +33,8 @@ class InputRouter {
   std::vector<Entry> receivers_;
 };
 
-/// The receivers of the window, in their order: "imgui", "panels", "buttons", "time line", "capture", "viewer". All
-/// that is given here must live as long as the router is used.
+/// The receivers of the window, in their order: "all keys", "imgui", "panels", "buttons", "time line", "capture",
+/// "viewer". All that is given here must live as long as the router is used.
 InputRouter windowRouter(Panels& panels, Hud& hud, FrameCapture& capture, Viewer& viewer);
 
 }  // namespace tyg

@@ -12,8 +12,7 @@
 namespace tyg {
 namespace {
 
-constexpr double kBarEnd = 1.25;      // of the limit
-constexpr double kLeastCost = 0.001;  // that is told as a number: a share of the time
+constexpr double kBarEnd = 1.25;  // of the limit
 
 ImU32 colourOf(MarginBand band, Background background) {
   if (band == MarginBand::Past) return coloursOn(background).past;
@@ -89,24 +88,15 @@ float drawMargin(TextWriter writer, ImVec2 at, float width, const Margin& margin
   const Colours& ink = coloursOn(writer.background);
   MarginText text;
   describe(margin, text);
-  std::string cost;
-  if (margin.cost >= kLeastCost) {
-    cost = fmt::format("  \u00b7  found in {:.1f} % of the time", 100 * margin.cost);
-  } else if (margin.cost > 0) {
-    cost = fmt::format("  \u00b7  found in under {:.1f} % of the time", 100 * kLeastCost);
-  }
   const bool bar = margin.band() != MarginBand::None;
   const float barWidth = bar ? std::min(9 * writer.size, 0.3F * width) : 0, gap = bar ? 0.6F * writer.size : 0;
   writer.size *= std::min(1.0F, (width - barWidth - gap) / std::max(1.0F, writer.extent(text.data()).x));
-  const float words = writer.extent(text.data()).x, costs = writer.extent(cost).x;
-  const bool fits = barWidth + gap + words + costs <= width;
-  const float used = barWidth + gap + words + (fits ? costs : 0);
+  const float used = barWidth + gap + writer.extent(text.data()).x;
   writer.shade(at, {at.x + used, at.y + writer.size});
   drawMarginBar(writer, {at.x, at.y + 0.2F * writer.size}, {at.x + barWidth, at.y + 0.95F * writer.size}, margin);
   const bool warned = margin.band() == MarginBand::Close || margin.band() == MarginBand::Past;
   writer.write({at.x + barWidth + gap, at.y}, warned ? colourOf(margin.band(), writer.background) : ink.dim,
                text.data());
-  if (fits) writer.write({at.x + barWidth + gap + words, at.y}, ink.dim, cost);
   return used;
 }
 

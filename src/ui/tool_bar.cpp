@@ -88,9 +88,30 @@ bool ToolBar::handle(const WindowEvent& event, Viewer& viewer) const {
   return true;
 }
 
-void drawCutLine(const TextWriter& writer, const ScreenLine& line) {
+namespace {
+
+/// Pixels of the framebuffer in one of ImGui's units.
+glm::vec2 perUnit() {
   const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-  const glm::vec2 unit(std::max(scale.x, 0.01F), std::max(scale.y, 0.01F));
+  return {std::max(scale.x, 0.01F), std::max(scale.y, 0.01F)};
+}
+
+}  // namespace
+
+void drawHold(const TextWriter& writer, glm::vec2 place) {
+  const glm::vec2 at = place / perUnit();
+  constexpr float kFar = 1e5F;
+  if (!(std::abs(at.x) + std::abs(at.y) < kFar)) return;
+  const Colours& ink = coloursOn(writer.background);
+  const ImVec2 middle{at.x, at.y};
+  const float radius = 0.6F * writer.size, thick = std::max(2.0F, writer.size / 8);
+  writer.list->AddCircle(middle, radius, ink.shade, 32, 2.2F * thick);
+  writer.list->AddCircle(middle, radius, ink.text, 32, thick);
+  writer.list->AddCircleFilled(middle, 0.22F * writer.size, ink.text, 16);
+}
+
+void drawCutLine(const TextWriter& writer, const ScreenLine& line) {
+  const glm::vec2 unit = perUnit();
   const glm::vec2 from = line.from / unit, way = line.to / unit - from;
   const float length = glm::length(way);
   if (!(length > 0) || !std::isfinite(length)) return;

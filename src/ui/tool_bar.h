@@ -24,6 +24,8 @@ class ToolBar {
 };
 
 /// A dashed line over the cloth.
+/// A ring and a dot in it at this place (pixels of the framebuffer): what a hand holds.
+void drawHold(const TextWriter& writer, glm::vec2 place);
 void drawCutLine(const TextWriter& writer, const ScreenLine& line);
 
 }  // namespace tyg

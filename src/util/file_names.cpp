@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdlib>
 
 #include <fmt/core.h>
 
@@ -33,6 +34,16 @@ std::filesystem::path freeName(const std::filesystem::path& folder, const std::s
                                const std::string& ending) {
   const std::array<std::string_view, 1> endings{ending};
   return folder / (freeStem(folder, stem, endings, FirstName::Plain) + ending);
+}
+
+std::optional<std::filesystem::path> userFile(const char* variable, const char* belowHome, const char* name) {
+  if (const char* folder = std::getenv(variable); folder != nullptr && *folder != '\0') {
+    return std::filesystem::path(folder) / "tyg" / name;
+  }
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
+    return std::filesystem::path(home) / belowHome / "tyg" / name;
+  }
+  return std::nullopt;
 }
 
 }  // namespace tyg

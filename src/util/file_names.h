@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,5 +22,9 @@ std::string freeStem(const std::filesystem::path& folder, const std::string& ste
                      std::span<const std::string_view> endings, FirstName first);
 /// STEM.ENDING in this folder, or STEM-2.ENDING and so on: the first of these names that nothing has yet.
 std::filesystem::path freeName(const std::filesystem::path& folder, const std::string& stem, const std::string& ending);
+
+/// A file of this program in a folder of the person's that an environment variable names, such as XDG_STATE_HOME, or
+/// else in this folder below HOME; nothing where neither is set.
+std::optional<std::filesystem::path> userFile(const char* variable, const char* belowHome, const char* name);
 
 }  // namespace tyg

@@ -56,7 +56,17 @@ void addTriangle(const SolidVertex& a, const SolidVertex& b, const SolidVertex& 
   to.insert(to.end(), {a, b, c});
 }
 
-/// A frame of a direction: two unit vectors across it, and it.
+bool meet(const Box& a, const Box& b) {
+  return glm::all(glm::lessThanEqual(a.low, b.high)) && glm::all(glm::lessThanEqual(b.low, a.high));
+}
+
+glm::vec3 onPlane(const Body& plane, const glm::vec3& point) {
+  const glm::vec3 normal = vec(plane.normal);
+  return point - glm::dot(point - vec(plane.at), normal) * normal;
+}
+
+}  // namespace
+
 std::array<glm::vec3, 2> acrossOf(const glm::vec3& direction) {
   const glm::vec3 least = std::abs(direction.y) < 0.999F ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, -1);
   const glm::vec3 first = glm::normalize(glm::cross(least, direction));
@@ -68,17 +78,6 @@ Box boxOf(const Body& body) {
   const glm::vec3 reach = body.shape == Shape::Box ? vec(body.half) : glm::vec3(float(body.radius));
   return {glm::min(at, end) - reach, glm::max(at, end) + reach};
 }
-
-bool meet(const Box& a, const Box& b) {
-  return glm::all(glm::lessThanEqual(a.low, b.high)) && glm::all(glm::lessThanEqual(b.low, a.high));
-}
-
-glm::vec3 onPlane(const Body& plane, const glm::vec3& point) {
-  const glm::vec3 normal = vec(plane.normal);
-  return point - glm::dot(point - vec(plane.at), normal) * normal;
-}
-
-}  // namespace
 
 void placeBodies(const Scene& scene, double time, std::vector<Body>& bodies) {
   bodies = scene.bodies;

@@ -3,6 +3,7 @@
 // Must not know: OpenGL, how bodies push the cloth.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,11 @@ std::vector<SolidVertex> bodySolid(const Body& body, int perQuarter);
 glm::mat4 bodyModel(const Body& body);
 /// Whether the two have the same bodySolid().
 bool sameSolid(const Body& a, const Body& b);
+
+/// The smallest box around a body that is no plane, m.
+Box boxOf(const Body& body);
+/// Two unit vectors across a direction; the cross product of the first and the second is the direction.
+std::array<glm::vec3, 2> acrossOf(const glm::vec3& direction);
 
 /// The part of a plane that is shown: a disc, m.
 struct PlanePatch {

@@ -13,6 +13,8 @@ namespace {
 
 constexpr float kSteepest = 1.5533F;       // 89 degrees: straight up has no right-hand side
 constexpr float kTurnPerPixel = 0.0035F;   // radians: half a turn in about 900 pixels
+constexpr float kOrbitPerPixel = 0.007F;   // radians: half a turn in about 450 pixels
+constexpr float kTurnPerSecond = 1.2F;     // radians, by keys
 constexpr float kSpeedPerDistance = 0.9F;  // distances to the cloth flown in a second
 constexpr float kLongestMove = 0.1F;       // s: a stalled frame must not throw the eye across the scene
 constexpr float kNotchShare = 0.88F;       // of the distance that is left after one wheel notch
@@ -70,43 +72,49 @@ void Camera::watch(const Box& cloth) {
   keepInReach();
 }
 
-void Camera::frame(const Box& cloth, float aspect, float aside) {
+void Camera::frame(const Box& cloth, float aspect) {
   watch(cloth);
   const auto corners = cloth_.corners();
-  frame(std::span<const glm::vec3>(corners), aspect, aside);
+  frame(std::span<const glm::vec3>(corners), aspect);
 }
 
-/// Of a line of sight through a point so many heights of the picture to the right of its middle; 0 where they are not
-/// finite.
+/// 0 where they are not finite.
 float Camera::slopeOf(float heights) const {
   return std::isfinite(heights) ? 2 * std::tan(fieldOfView_ / 2) * heights : 0;
 }
 
-void Camera::slide(float heights) {
-  eye_ = finiteOr(eye_ - slopeOf(heights) * distance() * right(), eye_);
+void Camera::slide(float toTheRight, float high) {
+  eye_ = finiteOr(eye_ - distance() * (slopeOf(toTheRight) * right() + slopeOf(high) * up()), eye_);
   keepInReach();
 }
 
-void Camera::frame(std::span<const glm::vec3> points, float aspect, float aside) {
+void Camera::frame(std::span<const glm::vec3> points, const FreePart& part) {
   // A point p is inside the side planes where |across(p) - across(eye)| <= slope (depth(p) - depth(eye)). The eye that
   // just satisfies this for all points is found for both axis pairs; the one that lies farther back satisfies both.
-  // Across is measured from the slanted plane through the middle of the free part, where there is one.
-  const float slopeY = std::tan(fieldOfView_ / 2) / kMargin;
-  const float slopeX = slopeY * (aspect > 0 && std::isfinite(aspect) ? aspect : 1.0F);
-  const float slant = slopeOf(aside);
+  // Across and high are measured from the slanted planes through the middle of the free part.
+  const auto usable = [](float extent) { return extent > 0 && std::isfinite(extent) ? extent : 1.0F; };
+  const float slope = std::tan(fieldOfView_ / 2) / kMargin;
+  const float slopeX = slope * usable(part.width), slopeY = slope * usable(part.height);
+  const float slantX = slopeOf(part.toTheRight), slantY = slopeOf(part.above);
   Reach x{.slope = slopeX}, y{.slope = slopeY};
   std::vector<Seen> alongX, alongY;
   for (const glm::vec3& p : points) {
     const float depth = glm::dot(p, forward());
-    alongX.push_back({glm::dot(p, right()) - slant * depth, depth});
-    alongY.push_back({glm::dot(p, up()), depth});
+    alongX.push_back({glm::dot(p, right()) - slantX * depth, depth});
+    alongY.push_back({glm::dot(p, up()) - slantY * depth, depth});
     x.include(alongX.back()), y.include(alongY.back());
   }
   // A cloth without extent still gets some space around it.
   const float back = std::min(x.eyeDepth(), y.eyeDepth()) - 0.05F * cloth_.size();
   if (points.empty() || !std::isfinite(back)) return;
-  const float across = middleAcross(alongX, x, back) + slant * back, high = middleAcross(alongY, y, back);
+  const float across = middleAcross(alongX, x, back) + slantX * back;
+  const float high = middleAcross(alongY, y, back) + slantY * back;
   eye_ = finiteOr(across * right() + high * up() + back * forward(), eye_);
+  keepInReach();
+}
+
+void Camera::place(const glm::vec3& eye) {
+  eye_ = finiteOr(eye, eye_);
   keepInReach();
 }
 
@@ -121,8 +129,19 @@ void Camera::turn(float pixelsRight, float pixelsDown) {
   lookAlong(yaw_ + kTurnPerPixel * pixelsRight, pitch_ - kTurnPerPixel * pixelsDown);
 }
 
+void Camera::orbit(float pixelsRight, float pixelsDown) {
+  const glm::vec3 middle = cloth_.centre(), away = middle - eye_;
+  const glm::vec3 seen(glm::dot(away, right()), glm::dot(away, up()), glm::dot(away, forward()));
+  const float more = kOrbitPerPixel / kTurnPerPixel;
+  turn(more * pixelsRight, more * pixelsDown);
+  eye_ = finiteOr(middle - seen.x * right() - seen.y * up() - seen.z * forward(), eye_);
+  keepInReach();
+}
+
 void Camera::move(const Motion& keys, float seconds) {
-  const float way = kSpeedPerDistance * distance() * std::clamp(seconds, 0.0F, kLongestMove);
+  seconds = std::clamp(seconds, 0.0F, kLongestMove);
+  lookAlong(yaw_ + kTurnPerSecond * seconds * keys.lookRight, pitch_ + kTurnPerSecond * seconds * keys.lookUp);
+  const float way = kSpeedPerDistance * distance() * seconds;
   const glm::vec3 direction = keys.right * right() + keys.up * glm::vec3(0, 1, 0) + keys.forward * forward();
   eye_ = finiteOr(eye_ + way * direction, eye_);
   keepInReach();

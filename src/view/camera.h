@@ -11,9 +11,18 @@
 
 namespace tyg {
 
-/// Keys held down, each -1, 0 or 1 (anything between is slower): D - A, E - Q, W - S.
+/// Keys held down, each -1, 0 or 1 (anything between is slower): D - A, E - Q, W - S, and the arrow keys.
 struct Motion {
   float right = 0, up = 0, forward = 0;
+  float lookRight = 0, lookUp = 0;
+  bool operator==(const Motion&) const = default;
+};
+
+/// The part of a picture that is free for the cloth, in heights of the picture.
+struct FreePart {
+  float width = 1, height = 1;      ///< > 0
+  float toTheRight = 0, above = 0;  ///< from the middle of the picture to the middle of that part
+  bool operator==(const FreePart&) const = default;
 };
 
 class Camera {
@@ -24,20 +33,26 @@ class Camera {
   /// Where the cloth is now: speed, nearest and farthest distance drawn follow it. Once a frame.
   void watch(const Box& cloth);
   /// Moves the eye, keeping its direction, so that the box just fits a window of this aspect (width / height, > 0) with
-  /// a margin; watches that box as well. `aside`: the middle of that window lies so far to the right of the middle of
-  /// the picture, in heights of the picture: for a part of it that is free.
-  void frame(const Box& cloth, float aspect, float aside = 0);
+  /// a margin; watches that box as well.
+  void frame(const Box& cloth, float aspect);
   /// The same for points (closer than their box would allow). No points: nothing happens.
-  void frame(std::span<const glm::vec3> points, float aspect, float aside = 0);
-  /// Moves sideways, so that the cloth is seen `heights` of the picture farther to the right.
-  void slide(float heights);
+  void frame(std::span<const glm::vec3> points, float aspect) { frame(points, FreePart{.width = aspect}); }
+  /// The same for a part of the picture.
+  void frame(std::span<const glm::vec3> points, const FreePart& part);
+  /// Moves sideways, so that the cloth is seen so many heights of the picture farther to the right and farther up.
+  void slide(float toTheRight, float up);
 
+  /// Puts the eye there, keeping its direction. Ignored where it is not finite.
+  void place(const glm::vec3& eye);
   /// Looks along this direction. yaw in radians (0 looks to -z, positive turns right), pitch in radians (positive up,
   /// clamped to 89 degrees). Values that are not finite are ignored.
   void lookAlong(float yaw, float pitch);
   /// Turns by mouse pixels: right and down are positive.
   void turn(float pixelsRight, float pixelsDown);
-  /// Flies for `seconds` (>= 0, taken as at most 0.1): right and forward along the eye's axes, up along the world's.
+  /// Flies around the middle of the cloth, which stays where it is seen, as if the cloth were turned by the mouse.
+  void orbit(float pixelsRight, float pixelsDown);
+  /// Flies and turns for `seconds` (>= 0, taken as at most 0.1): right and forward along the eye's axes, up along the
+  /// world's.
   void move(const Motion& keys, float seconds);
   /// Moves along the line of sight by wheel notches: positive is nearer, each a fixed share of the distance.
   void approach(float notches);
@@ -65,7 +80,7 @@ class Camera {
   [[nodiscard]] float nearest(const Box& thing) const;
 
  private:
-  [[nodiscard]] float slopeOf(float heights) const;
+  [[nodiscard]] float slopeOf(float heights) const;  ///< of the line of sight so far from the picture's middle
   void keepInReach();
 
   glm::vec3 eye_{1.6F, 0.8F, 2.4F};

@@ -1,4 +1,4 @@
-// What of a cloth is drawn and how: families of springs, discs, ground, colours, a push, a wind, bodies.
+// What of a cloth is drawn and how: lines or a surface, its look, discs, ground, colours, a push, a wind, bodies.
 // Must not know: OpenGL, windows, the simulation.
 #pragma once
 
@@ -30,18 +30,29 @@ struct ShownWind {
 
 /// What is drawn and how.
 struct DrawOptions {
+  Show show = Show::Lines;        ///< of the cloth; a chain has no surface and is always drawn as lines
+  const Look* look = nullptr;     ///< of the surface, valid while it is drawn; null: the usual one
+  std::span<const Lamp> lamps{};  ///< on surfaces and bodies, valid while they are drawn; none: the usual one
   bool structural = true, shear = false, bend = false;  ///< families of springs, as lines
   bool particles = false, pins = true;                  ///< as discs
   bool ground = true;
   Background background = Background::Dark;
-  float lineWidth = 1.8F;         ///< pixels, > 0, where the mesh is coarse; thinner and fainter where it is dense
-  std::optional<glm::vec3> mesh;  ///< colour of the structural lines, red green blue 0..1; none: the background's own
-  bool over = false;  ///< keep what is in the framebuffer and draw the cloth into it (and no ground, wind or bodies)
-  float opacity = 1;  ///< of the spring lines, 0..1
+  float lineWidth = 1.8F;           ///< pixels, > 0, where the mesh is coarse; thinner and fainter where it is dense
+  float scale = 1;                  ///< pixels to a pixel of all widths of lines and discs: more on dense screens
+  std::optional<glm::vec3> mesh{};  ///< colour of the structural lines, red green blue 0..1; none: the background's own
+  bool over = false;   ///< keep what is in the framebuffer and draw the cloth into it (and no ground, wind or bodies)
+  float opacity = 1;   ///< of the spring lines, 0..1
+  float fade = 0.62F;  ///< how far the farthest part of the cloth goes towards the background's colour, 0..1
   Colouring colouring{};
   std::optional<ShownWind> wind{};
   std::span<const Body> bodies{};  ///< where they are now (see placeBodies), valid while they are drawn
 };
+
+/// Makes the options follow the look of a scene, which must live while they are used.
+inline void followLook(const Scene& scene, DrawOptions& options) {
+  options.look = &scene.look;
+  options.lamps = scene.lamps;
+}
 
 /// A push as shown: an arrow on a particle along a force (N).
 struct ShownPush {

@@ -8,8 +8,9 @@ namespace tyg {
 /// patience before n ticks runs fewer: the rest is dropped, time does not pile up, and realTimeFactor() tells.
 class FrameClock {
  public:
-  /// At most this much simulated time is due in one frame, s at speed 1; a longer pause is dropped.
-  static constexpr double kMostPerFrame = 0.1;
+  /// At most this much simulated time is due in one frame, s at speed 1, so that frames that come five times a second
+  /// still show real time; a longer pause is dropped.
+  static constexpr double kMostPerFrame = 0.25;
 
   explicit FrameClock(double tick) { setTick(tick); }
 

@@ -66,6 +66,16 @@ class Picker {
     }
   }
 
+  /// A spring between two particles.
+  void offerSpring(const Seen& a, int particleA, const Seen& b, int particleB) {
+    if (!a.visible() || !b.visible()) return;
+    const glm::vec2 way = b.offset - a.offset;
+    const float length2 = glm::dot(way, way);
+    const float along = length2 > 0 ? std::clamp(-glm::dot(a.offset, way) / length2, 0.0F, 1.0F) : 0;
+    const float depth = glm::mix(a.depth, b.depth, along);
+    offerParticle({a.offset + along * way, depth}, along < 0.5F ? particleA : particleB);
+  }
+
   /// The cell between four particles, in order around it.
   void offerCell(const std::array<Seen, 4>& corners, const std::array<int, 4>& particles) {
     const float depth =
@@ -120,6 +130,12 @@ std::optional<int> pickParticle(const Camera& camera, glm::vec2 cursor, glm::vec
       const auto i = static_cast<std::size_t>(c);
       row[i] = sight.see(&xyz[3 * static_cast<std::size_t>(particle)]);
       picker.offerParticle(row[i], particle);
+      if (c > 0 && !sheet.missing.has(particle - 1, Missing::Right)) {
+        picker.offerSpring(row[i - 1], particle - 1, row[i], particle);
+      }
+      if (r > 0 && !sheet.missing.has(particle - sheet.columns, Missing::Down)) {
+        picker.offerSpring(above[i], particle - sheet.columns, row[i], particle);
+      }
       if (r > 0 && c > 0) {
         const int over = particle - sheet.columns;
         if (sheet.missing.has(over - 1, Missing::Cell)) continue;  // between two parts of the cloth there is none

@@ -24,12 +24,13 @@ Ray sightLine(const Camera& camera, glm::vec2 cursor, glm::vec2 window);
 /// Where a point (m) in front of the eye is seen, in those pixels; not finite in the plane of the eye.
 glm::vec2 placeInWindow(const Camera& camera, const glm::vec3& point, glm::vec2 window);
 
-/// How far from a particle's middle a click still counts, in pixels.
+/// How far from the cloth a click still counts, in pixels.
 inline constexpr float kPickRadius = 12;
 
 /// The particle under the cursor, pinned ones included. Where the cursor is on the cloth it is the corner nearest to it
-/// of the mesh cell that the eye sees first, of those that no cut has taken; beside the cloth (and on chains and single
-/// particles) it is the particle nearest to the cursor within `radius` pixels. Nothing: the click misses the cloth.
+/// of the mesh cell that the eye sees first, of those that no cut has taken. Within `radius` pixels beside it (and on
+/// chains and single particles) it is the nearer end of the structural spring that is nearest to the cursor, or a
+/// particle that has none. Nothing: the click misses the cloth.
 /// `xyz` holds 3 * sheet.count() numbers; particles that are not finite or behind the eye are never picked.
 std::optional<int> pickParticle(const Camera& camera, glm::vec2 cursor, glm::vec2 window, const Sheet& sheet,
                                 std::span<const float> xyz, float radius = kPickRadius);

@@ -13,12 +13,13 @@ std::string timesText(double ratio) { return fmt::format("{:.{}f} times", ratio,
 
 std::string named(const Setting& setting) { return std::string(setting.method->name) + ", " + textOf(setting); }
 
-std::string presentSentence(const SettingEstimate& estimate, const Setting& setting, const ChartScale& scale) {
+std::string presentSentence(const SettingEstimate& estimate, const Setting& setting, const ChartScale& scale,
+                            bool finished) {
   switch (estimate.kind) {
     case SettingEstimate::Kind::Unknown:
-      return named(setting) + ": not measured yet.";
+      return named(setting) + (finished ? ": takes too long to be measured here." : ": not measured yet.");
     case SettingEstimate::Kind::Fails:
-      return named(setting) + ": fails in this scene.";
+      return named(setting) + ": unstable in this scene.";
     default:
       break;
   }
@@ -44,14 +45,14 @@ std::string costText(double seconds, const ChartScale& scale) {
   return fmt::format("{:.3g} ms per simulated second", scale.cost(seconds));
 }
 
-ChartAdvice adviceOn(const std::vector<WorkRow>& rows, const Setting& present, const ChartScale& scale) {
+ChartAdvice adviceOn(const std::vector<WorkRow>& rows, const Setting& present, const ChartScale& scale, bool finished) {
   const SettingEstimate estimate = estimateOf(rows, present);
-  ChartAdvice advice{.present = presentSentence(estimate, present, scale), .better = {}};
+  ChartAdvice advice{.present = presentSentence(estimate, present, scale, finished), .better = {}};
   const BetterRows better = betterThan(rows, estimate);
   if (better.cheaper != nullptr) {
-    advice.better += "Cheaper and at least as accurate: " + named(settingOf(*better.cheaper)) +
+    advice.better += "Faster and at least as accurate: " + named(settingOf(*better.cheaper)) +
                      fmt::format(", at {:.3g} ms, ", scale.cost(better.cheaper->seconds)) +
-                     timesText(estimate.seconds / better.cheaper->seconds) + " cheaper. ";
+                     timesText(estimate.seconds / better.cheaper->seconds) + " faster. ";
   }
   if (better.closer != nullptr) {
     advice.better += "More accurate at no greater cost: " + named(settingOf(*better.closer)) +

@@ -25,10 +25,12 @@ std::string errorText(double error, const ChartScale& scale);
 /// `3.4 ms per simulated second`.
 std::string costText(double seconds, const ChartScale& scale);
 
-/// One sentence each, for the person; `better` is empty where nothing measured so far is clearly better.
+/// One sentence each, for the person; `better` is empty where nothing measured so far is clearly better. `finished`: no
+/// further rows will come.
 struct ChartAdvice {
   std::string present, better;
 };
-ChartAdvice adviceOn(const std::vector<WorkRow>& rows, const Setting& present, const ChartScale& scale);
+ChartAdvice adviceOn(const std::vector<WorkRow>& rows, const Setting& present, const ChartScale& scale,
+                     bool finished = false);
 
 }  // namespace tyg

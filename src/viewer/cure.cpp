@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/scene/bodies.h"
 #include "study/limits/measured_limit.h"
@@ -20,14 +21,14 @@ std::string name(const Method& method) { return std::string(method.name); }
 
 bool chooses(const Simulation& simulation) { return simulation.method().adaptive && simulation.scene().tolerance > 0; }
 
-std::string whatBroke(const Simulation& simulation) {
+std::string whatBroke(const Simulation& simulation, double alarmTime) {
   const std::string with = chooses(simulation)
                                ? fmt::format("a tolerance of {:.4g} mm", 1e3 * simulation.scene().tolerance)
                                : fmt::format("a step of {:.4g} ms", 1e3 * simulation.dt());
   const bool finite = simulation.status() == Status::Unstable;
   return name(simulation.method()) + " with " + with +
          (finite ? " became unstable" : " left the numbers that can be computed with") +
-         fmt::format(" at {:.3f} s", simulation.alarmTime());
+         fmt::format(" at {:.3f} s", alarmTime);
 }
 
 std::string cause(const Simulation& simulation, double limit) {
@@ -87,6 +88,16 @@ const Method* methodThatHolds(const Scene& scene, const Method& failed, double s
 
 double safeStep(double limit) { return !std::isfinite(limit) || limit <= 0 ? 0 : roundedDown(kSafeShare * limit); }
 
+std::string takeStepThatHolds(Scene& scene) {
+  const Method& method = findMethod(scene.integrator);
+  if (method.adaptive && scene.tolerance > 0) return {};
+  const double safe = safeStep(restLatticeLimit(scene, method));
+  if (!(safe > 0) || scene.dt * kSafeShare <= safe) return {};
+  const double before = std::exchange(scene.dt, safe);
+  return fmt::format("{} x {} particles are stable with smaller steps only: {:.3g} ms instead of {:.3g} ms",
+                     scene.columns, scene.rows, 1e3 * safe, 1e3 * before);
+}
+
 Cure findCure(const Simulation& simulation, double limit) {
   Cure cure;
   const double step = simulation.dt();
@@ -100,17 +111,16 @@ Cure findCure(const Simulation& simulation, double limit) {
   return cure;
 }
 
-std::string describeFailure(const Simulation& simulation, double limit, const Cure& cure) {
-  return whatBroke(simulation) + cause(simulation, limit) + waysOut(simulation, cure);
+std::string describeFailure(const Simulation& simulation, double alarmTime, double limit, const Cure& cure) {
+  return whatBroke(simulation, alarmTime) + cause(simulation, limit) + waysOut(simulation, cure);
 }
 
 std::string describeStall(const Simulation& simulation, double seconds, const Cure& cure) {
   const std::string holds =
       cure.method != nullptr ? "; take " + name(*cure.method) + ", which holds with this step." : ".";
   return fmt::format(
-      "{} stopped at {:.3f} s: in {:.3g} s of computing, the steps that its tolerance of {:.4g} mm asks for "
-      "did "
-      "not reach the end of a tick of {:.4g} ms{}",
+      "{} stalled at {:.3f} s: in {:.3g} s of computing, the steps that its tolerance of {:.4g} mm asks for "
+      "did not reach the end of an output interval of {:.4g} ms{}",
       simulation.method().name, simulation.time(), seconds, 1e3 * simulation.scene().tolerance, 1e3 * simulation.dt(),
       holds);
 }

@@ -23,11 +23,14 @@ struct Cure {
 };
 /// 0.9 of the limit, s; 0 where there is none.
 double safeStep(double limit);
+/// Where the step of a scene is at its method's limit at rest or beyond, takes a safe one, and returns a sentence that
+/// says so; else changes nothing and returns none.
+std::string takeStepThatHolds(Scene& scene);
 /// `limit`, s: of the present method; NaN, infinite or not below the step where it does not explain a failure.
 Cure findCure(const Simulation& simulation, double limit);
 
-/// After an alarm: which method and step broke, when, beyond what limit, and the ways out.
-std::string describeFailure(const Simulation& simulation, double limit, const Cure& cure);
+/// After an alarm at this time, s: which method and step broke, when, beyond what limit, and the ways out.
+std::string describeFailure(const Simulation& simulation, double alarmTime, double limit, const Cure& cure);
 /// After a tick that was given up when it had taken these seconds: a method that chooses its own steps may choose ever
 /// smaller ones.
 std::string describeStall(const Simulation& simulation, double seconds, const Cure& cure);

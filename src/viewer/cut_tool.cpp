@@ -14,9 +14,9 @@ constexpr float kShortest = 4;  // pixels: a shorter drag is a click
 
 class CutTool final : public Tool {
  public:
-  void press(const ToolScope& /*scope*/, glm::vec2 cursor) override {
+  bool press(const ToolScope& /*scope*/, glm::vec2 cursor) override {
     line_ = {cursor, cursor};
-    draws_ = true;
+    return draws_ = true;
   }
   void move(const ToolScope& /*scope*/, glm::vec2 cursor) override { line_.to = cursor; }
   void release(const ToolScope& scope) override {

@@ -1,14 +1,30 @@
 // The limit that explains a failure is the one in use at that time, so it is measured anew when the alarm goes.
 #include "viewer/failure.h"
 
+#include <cmath>
 #include <utility>
 
+#include "study/limits/stability.h"
 #include "tyg/methods.h"
 
 namespace tyg {
 
+namespace {
+
+/// Where the step is past the limit of waves.
+std::optional<FailingMotion> failingMotion(const Simulation& simulation, const Margin& margin) {
+  if (margin.band() != MarginBand::Past) return std::nullopt;
+  const Scene& scene = simulation.scene();
+  const StepLimit limit = stepLimit(scene, simulation.method());
+  if (!std::isfinite(limit.predicted) || limit.byContact) return std::nullopt;
+  return FailingMotion{appearanceOf(scene, limit), limit.qx, limit.qy, scene.columns, scene.rows};
+}
+
+}  // namespace
+
 void Failure::restart() {
   thaw();
+  motion_.reset();
   lastGood_.reset();
   runsOn_ = false;
   margin_.restart();
@@ -24,10 +40,21 @@ void Failure::freeze(std::string message) {
   message_ = std::move(message);
 }
 
+/// The alarm looks every few steps and wherever a run stops, so that its time depends on how it is reached.
+bool Failure::isKnown(const Simulation& simulation) const {
+  return lastGood_ && simulation.alarmTime() >= lastGood_->time && method_ == &simulation.method() &&
+         step_ == simulation.dt();
+}
+
 void Failure::freezeOnAlarm(Simulation& simulation, const ShownState& shown) {
   updateMargin(simulation);
+  if (!isKnown(simulation)) {
+    lastGood_.reset();
+    alarmTime_ = simulation.alarmTime(), method_ = &simulation.method(), step_ = simulation.dt();
+    motion_ = failingMotion(simulation, margin());
+  }
   const Cure cure = findCure(simulation, margin().limit);
-  freezeWith(describeFailure(simulation, margin().limit, cure), cure, shown);
+  freezeWith(describeFailure(simulation, alarmTime_, margin().limit, cure), cure, shown);
 }
 
 void Failure::freezeOnStall(Simulation& simulation, const ShownState& shown, double seconds) {
@@ -43,7 +70,7 @@ void Failure::freezeWith(std::string message, const Cure& cure, const ShownState
 }
 
 void Failure::passed(std::int64_t tick) {
-  if (lastGood_ && tick > lastGood_->tick) lastGood_.reset();
+  if (lastGood_ && tick > lastGood_->tick) lastGood_.reset(), motion_.reset();
 }
 
 void Failure::fitCure(const Simulation& simulation, const Scene& chosen) {

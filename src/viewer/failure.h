@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -12,6 +13,13 @@
 #include "viewer/shown_state.h"
 
 namespace tyg {
+
+/// The wave that a method amplifies first in a sheet of so many columns and rows, by the name that `tyg run` prints.
+struct FailingMotion {
+  std::string name;
+  double qx = 0, qy = 0;  ///< phases from column to column and row to row
+  int columns = 0, rows = 0;
+};
 
 class Failure {
  public:
@@ -51,9 +59,14 @@ class Failure {
   /// Nothing while no alarm has stopped the run.
   [[nodiscard]] const std::optional<LastGood>& lastGood() const { return lastGood_; }
   [[nodiscard]] bool runsOn() const { return runsOn_; }  ///< the person let the run go on past its alarm
+  /// Nothing while no alarm has stopped the run, or where no wave explains it.
+  [[nodiscard]] const std::optional<FailingMotion>& motion() const { return motion_; }
+  /// s, when the alarm went, as it was told first; NaN while none has stopped the run.
+  [[nodiscard]] double alarmTime() const { return lastGood_ ? alarmTime_ : std::numeric_limits<double>::quiet_NaN(); }
 
  private:
   void freezeWith(std::string message, const Cure& cure, const ShownState& shown);
+  [[nodiscard]] bool isKnown(const Simulation& simulation) const;
 
   Clock clock_;
   MarginWatch margin_;
@@ -61,6 +74,11 @@ class Failure {
   std::optional<Cure> cure_;
   std::optional<LastGood> lastGood_;
   bool runsOn_ = false;
+  // Of the last failure; it is told alike however often it is reached.
+  double alarmTime_ = 0;  ///< s
+  const Method* method_ = nullptr;
+  double step_ = 0;  ///< s
+  std::optional<FailingMotion> motion_;
 };
 
 }  // namespace tyg

@@ -21,7 +21,7 @@ std::string distanceText(const GhostGap& gap) {
 
 Sentence distanceWords(const Ghost& ghost) {
   const std::optional<GhostGap>& gap = ghost.gap();
-  if (!gap) return {"distance: they have not met yet"};
+  if (!gap) return {"distance: ghost not ready yet"};
   if (ghost.behind() <= kNearlyInStep) return {"distance: " + distanceText(*gap)};
   return {fmt::format("distance at {:.2f} s: ", gap->time) + distanceText(*gap)};
 }
@@ -46,7 +46,7 @@ Sentence meaningWords(const Ghost& ghost) {
             floor + ") that the distance means nothing any more.",
         Tone::Warning};
   }
-  if (gap->rms >= kTellable * gap->floor) return {"Distances below " + floor + " mean nothing here.", Tone::Dim};
+  if (gap->rms >= kTellable * gap->floor) return {"Below " + floor + ", rounding dominates.", Tone::Dim};
   return {"The two agree as closely as can be measured here: within " + floor + ".", Tone::Good};
 }
 
@@ -55,8 +55,7 @@ Sentence progressWords(const Ghost& ghost) {
     return {fmt::format("The ghost's method failed at {:.3f} s.", ghost.time()), Tone::Warning};
   }
   if (ghost.stalled()) {
-    return {fmt::format("The ghost stopped at {:.3f} s, because it needed too many steps.", ghost.time()),
-            Tone::Warning};
+    return {fmt::format("The ghost stalled at {:.3f} s: it needed too many steps.", ghost.time()), Tone::Warning};
   }
   if (ghost.behind() <= kNearlyInStep) return {};
   if (!ghost.losing()) {

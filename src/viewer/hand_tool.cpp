@@ -15,29 +15,39 @@ namespace {
 
 constexpr float kStillPixels = 4;      // the cursor of a hand that means to hold still moves no farther
 constexpr double kStillSeconds = 0.2;  // of the clock, after which a still button pushes
+constexpr float kFarPixels = 60;       // from the cloth: a click this far away was not meant for it
 
 class HandTool final : public Tool {
  public:
-  void press(const ToolScope& scope, glm::vec2 cursor) override {
-    const glm::vec2 window(scope.view.pixels().width, scope.view.pixels().height);
-    const Camera& camera = scope.view.camera();
-    const Sheet& sheet = scope.run.simulation().sheet();
-    const std::optional<int> hit = pickParticle(camera, cursor, window, sheet, scope.run.shown().positions());
-    const glm::dvec3 away = hit ? glm::dvec3(sightLine(camera, cursor, window).direction) : glm::dvec3(0, 0, 1);
-    const glm::dvec3 force = scope.record.strength * usualPush(sheet) * away;
-    onCloth_ = hit.has_value();
-    particle_ = hit ? *hit : particleAt(sheet, Place{.name = "middle"});
-    force_ = {force.x, force.y, force.z};
+  bool press(const ToolScope& scope, glm::vec2 cursor) override {
+    const std::optional<int> hit = particleNear(scope, cursor, kPickRadius);
+    if (!hit) return false;
+    particle_ = *hit;
+    away_ = sightLine(scope.view.camera(), cursor, windowOf(scope)).direction;
     pressedAt_ = cursor;
     pressedTime_ = scope.run.now();
-    isDown_ = waits_ = true;
+    return isDown_ = waits_ = true;
+  }
+
+  /// As the report's program does, but only where nothing else can be meant.
+  void clickBeside(const ToolScope& scope, glm::vec2 cursor) override {
+    if (particleNear(scope, cursor, kFarPixels)) return scope.notes.say("That click missed the cloth.");
+    const Sheet& sheet = scope.run.simulation().sheet();
+    if (!sheet.missing.none()) return scope.notes.say("That click missed the cloth.");
+    particle_ = particleAt(sheet, Place{.name = "middle"});
+    if (!isInView(scope, particle_)) return scope.notes.say("F fits the cloth in view.");
+    away_ = {0, 0, 1};
+    push(scope);
+    push_.release();
+    scope.notes.say("A click beside the cloth pushes its middle.");
   }
 
   void move(const ToolScope& scope, glm::vec2 cursor) override {
     if (grab_.holds()) return grab_.move(cursor);
-    if (!isDown_ || !onCloth_ || glm::distance(cursor, pressedAt_) <= kStillPixels) return;
+    if (!isDown_ || glm::distance(cursor, pressedAt_) <= kStillPixels) return;
     isDown_ = waits_ = false;
     push_.release();
+    start(scope);
     grab_.begin(scope, particle_, pressedAt_);
     grab_.move(cursor);
     scope.record.picked = particle_;
@@ -86,23 +96,45 @@ class HandTool final : public Tool {
   void push(const ToolScope& scope) {
     waits_ = false;
     if (scope.run.state() == RunState::Frozen || scope.run.seeking()) return;
-    push_.begin(scope.run, particle_, force_);
+    const Sheet& sheet = scope.run.simulation().sheet();
+    const glm::dvec3 force = scope.record.strength * usualPush(sheet) * glm::dvec3(away_);
+    push_.begin(scope.run, particle_, {force.x, force.y, force.z});
     scope.record.picked = particle_;
     ++scope.record.pushes, ++scope.record.uses;
-    if (std::ranges::binary_search(scope.run.simulation().sheet().pins, particle_)) {
+    if (std::ranges::binary_search(sheet.pins, particle_)) {
       scope.notes.say("That particle is pinned: no push moves it. A drag does.");
     }
+    start(scope);
+  }
+
+  /// What is done to a cloth that has never moved is to be seen.
+  static void start(const ToolScope& scope) {
+    if (scope.run.state() == RunState::Waiting) scope.run.goOn();
+  }
+
+  static glm::vec2 windowOf(const ToolScope& scope) { return {scope.view.pixels().width, scope.view.pixels().height}; }
+  static std::optional<int> particleNear(const ToolScope& scope, glm::vec2 cursor, float pixels) {
+    const RunControl& run = scope.run;
+    return pickParticle(scope.view.camera(), cursor, windowOf(scope), run.simulation().sheet(), run.shown().positions(),
+                        pixels);
+  }
+  static bool isInView(const ToolScope& scope, int particle) {
+    const auto xyz = scope.run.shown().positions().subspan(3 * static_cast<std::size_t>(particle), 3);
+    const Camera& camera = scope.view.camera();
+    const glm::vec3 there(xyz[0], xyz[1], xyz[2]);
+    const glm::vec2 place = placeInWindow(camera, there, windowOf(scope)), window = windowOf(scope);
+    const bool ahead = glm::dot(there - camera.eye(), camera.forward()) > 0;
+    return ahead && place.x >= 0 && place.y >= 0 && place.x < window.x && place.y < window.y;
   }
 
   HeldPush push_;
   Grab grab_;
   bool isDown_ = false;  ///< and may become a grab
   bool waits_ = false;   ///< and may become a push
-  bool onCloth_ = false;
   int particle_ = 0;
-  Vec3 force_;              ///< N
-  glm::vec2 pressedAt_{0};  ///< pixels
-  double pressedTime_ = 0;  ///< s, of the clock
+  glm::vec3 away_{0, 0, 1};  ///< along which a push goes, a unit vector
+  glm::vec2 pressedAt_{0};   ///< pixels
+  double pressedTime_ = 0;   ///< s, of the clock
 };
 
 /// A pointing hand.

@@ -1,6 +1,8 @@
 // Which actions last while their key is held, which repeat, and how often.
 #include "viewer/held_keys.h"
 
+#include <algorithm>
+
 namespace tyg {
 namespace {
 
@@ -12,12 +14,14 @@ constexpr double kRepeatAfter = 0.35, kRepeatEvery = 0.05;
 bool repeatsItself(InputAction action) {
   return action == StepBack || action == Step || action == SmallerStep || action == LargerStep;
 }
-bool lasts(InputAction action) { return action == LookAround || (action >= MoveForward && action <= MoveUp); }
+bool lasts(InputAction action) { return action == LookAround || (action >= MoveForward && action <= LookDown); }
 
 }  // namespace
 
 void HeldKeys::press(const Input& input, double now) {
-  if (lasts(input.action)) held_.at(static_cast<std::size_t>(input.action)) = true;
+  const auto action = static_cast<std::size_t>(input.action);
+  if (lasts(input.action)) held_.at(action) = true;
+  if (lasts(input.action)) due_.at(action) = kShortest;
   if (!repeatsItself(input.action)) return;
   repeated_ = input;
   repeatAt_ = now + kRepeatAfter;
@@ -32,18 +36,27 @@ void HeldKeys::release(KeyCode key) {
 
 void HeldKeys::releaseAll() {
   held_.fill(false);
+  due_.fill(0);
   repeated_.reset();
 }
 
 Motion HeldKeys::motion() const {
-  const auto along = [this](InputAction plus, InputAction minus) { return float(held(plus)) - float(held(minus)); };
-  return {.right = along(MoveRight, MoveLeft), .up = along(MoveUp, MoveDown), .forward = along(MoveForward, MoveBack)};
+  const auto acts = [this](InputAction action) {
+    return held(action) || due_.at(static_cast<std::size_t>(action)) > 0 ? 1.0F : 0.0F;
+  };
+  const auto along = [&](InputAction plus, InputAction minus) { return acts(plus) - acts(minus); };
+  return {.right = along(MoveRight, MoveLeft),
+          .up = along(MoveUp, MoveDown),
+          .forward = along(MoveForward, MoveBack),
+          .lookRight = along(LookRight, LookLeft),
+          .lookUp = along(LookUp, LookDown)};
 }
 
-bool HeldKeys::moves() const {
-  const Motion way = motion();
-  return way.right != 0 || way.up != 0 || way.forward != 0;
+void HeldKeys::moved(double seconds) {
+  for (double& due : due_) due = std::max(0.0, due - seconds);
 }
+
+bool HeldKeys::moves() const { return motion() != Motion{}; }
 
 std::optional<InputAction> HeldKeys::due(double now) {
   if (!repeated_ || now < repeatAt_) return std::nullopt;

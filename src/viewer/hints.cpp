@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <string>
 
+#include "util/file_names.h"
 #include "util/whole_file.h"
 
 namespace tyg {
@@ -18,7 +18,7 @@ struct Hint {
 };
 constexpr std::array<Hint, 4> kHints{
     Hint{"push", "A click on the cloth pushes it, and a drag grabs it."},
-    Hint{"tools", "The left button has three tools: F1 pushes and grabs, F2 pins, F3 cuts."},
+    Hint{"tools", "The left button has three tools: F2 pushes and grabs, F3 pins, F4 cuts."},
     Hint{"chart", "C shows a chart of how fast and how accurate every method is in this scene."},
     Hint{"ghost", "G shows where the cloth would be if it were computed without errors."},
 };
@@ -26,15 +26,7 @@ constexpr std::string_view kOldPush = "poke";  // what files of earlier versions
 
 }  // namespace
 
-std::optional<std::filesystem::path> hintsFile() {
-  if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state != '\0') {
-    return std::filesystem::path(state) / "tyg" / "hints";
-  }
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
-    return std::filesystem::path(home) / ".local" / "state" / "tyg" / "hints";
-  }
-  return std::nullopt;
-}
+std::optional<std::filesystem::path> hintsFile() { return userFile("XDG_STATE_HOME", ".local/state", "hints"); }
 
 Hints::Hints(std::optional<std::filesystem::path> file) : file_(std::move(file)) {
   static_assert(kHints.size() == kCount);

@@ -20,6 +20,22 @@ void History::begin(const Simulation& simulation) {
   past_ = false;
 }
 
+void History::recall(const Simulation& simulation, EventLog log) {
+  begin(simulation);
+  newest_ = {.ticks = log.ticks};
+  double dt = log.dt;
+  std::int64_t since = 0;
+  for (const Event& event : log.events) {
+    const auto* change = std::get_if<StepEvent>(&event.action);
+    if (change == nullptr || event.tick > log.ticks) continue;
+    newest_.time += double(event.tick - since) * dt;
+    dt = change->dt, since = event.tick;
+  }
+  newest_.time += double(log.ticks - since) * dt;
+  whole_ = std::move(log);
+  past_ = whole_.ticks > 0;
+}
+
 void History::follow(const Simulation& simulation) {
   const double now = simulation.time();
   const double room = double(mostBytes_) / std::max(1.0, double(copies_.back().bytes()));
@@ -47,6 +63,7 @@ void History::tick(Simulation& simulation, std::int64_t count) {
     const std::int64_t before = simulation.ticks();
     simulation.tick(stop - before);
     if (simulation.ticks() == before) return;
+    follow(simulation);
     arrive(simulation);
   }
   if (simulation.ticks() >= end) return;

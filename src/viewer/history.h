@@ -26,6 +26,8 @@ class History {
 
   /// Forgets everything; the present state is the first moment.
   void begin(const Simulation& simulation);
+  /// The same for a run that a log tells of, which is all still to come: the present moment is past.
+  void recall(const Simulation& simulation, EventLog log);
   /// Advances by `count` ticks: the past is computed again up to the newest moment, and from there the simulation goes
   /// on. Fewer where the alarm stops the simulation.
   void tick(Simulation& simulation, std::int64_t count);

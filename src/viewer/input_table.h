@@ -16,16 +16,17 @@ namespace tyg {
 enum class InputAction {
   StartOrPause, StepBack, Step, Slower, Faster, Again, Restart,
   UseTool, ChooseTool, LookAround, Approach,
-  MoveForward, MoveLeft, MoveBack, MoveRight, MoveDown, MoveUp, FrameCloth,
+  MoveForward, MoveLeft, MoveBack, MoveRight, MoveDown, MoveUp, LookLeft, LookRight, LookUp, LookDown, FrameCloth,
   SmallerStep, LargerStep, SafeStep, HoldingMethod, RunOn,
   OpenControl, OpenGallery, OpenChart, OpenGhost, OpenStretch, OpenEnergy, OpenTraces,
-  KeepPicture, Film,
-  ShowHelp, Leave,
+  KeepPicture, Film, Undo, Redo, Copy,
+  ShowHelp, ShowAllKeys, Leave,
   ChooseMethod,
-  ShowStructural, ShowShear, ShowBend, ShowParticles, ShowPins, ShowGround, ChangeBackground,
+  ChangeShow, ShowStructural, ShowShear, ShowBend, ShowParticles, ShowPins, ShowGround, ChangeBackground,
+  FullScreen,
 };
 // clang-format on
-inline constexpr std::size_t kInputActions = static_cast<std::size_t>(InputAction::ChangeBackground) + 1;
+inline constexpr std::size_t kInputActions = static_cast<std::size_t>(InputAction::FullScreen) + 1;
 inline constexpr bool isChoice(InputAction action) { return action >= InputAction::ChooseMethod; }
 
 /// A key or button, what it does, and both as the help says them.
@@ -34,6 +35,7 @@ struct Input {
   InputAction action;
   std::string_view keyName;
   std::string_view help;  ///< empty: the window offers it where it is of use
+  bool first = false;     ///< in the short list of keys, which is all that newcomers need
 };
 /// Every input, in the order of the help. Those that share a help text are neighbours and share its line.
 std::span<const Input> inputTable();
@@ -42,21 +44,23 @@ const Input* findInput(KeyCode key);
 /// The method that a number key chooses, as its slot in methods(): 1 the first, 0 the tenth, - the eleventh.
 std::size_t methodSlot(KeyCode key);
 
-/// The tool that a function key chooses, as its slot in toolTable().
+/// The tool that a function key chooses, as its slot in toolTable(): F2 the first, F3 the second.
 std::size_t toolSlot(KeyCode key);
-/// `F1` and so on: the key that chooses the tool in a slot; empty where there is none.
+/// `F2` and so on: the key that chooses the tool in a slot; empty where there is none.
 std::string_view toolKeyName(std::size_t slot);
 
-/// A line of the help on screen.
+/// A line of the help on screen: the keys that share its words.
 struct HelpLine {
-  std::string keys, help;
-  InputAction action;
+  std::vector<const Input*> inputs;  ///< one at least
+  std::string help;
   std::size_t method = 0;  ///< with ChooseMethod: its slot in `methods`
+
+  [[nodiscard]] InputAction action() const { return inputs.front()->action; }
+  [[nodiscard]] std::string keys() const;  ///< their names, with spaces between them; one that repeats comes once
 };
 /// The help, with one line for each of these methods that has a number key.
 std::vector<HelpLine> helpLines(std::span<const std::string_view> methods);
-/// Of the choices, or of the others, the first `room` lines. Where not all fit, the one that hides and shows the keys
-/// is the last to go.
-std::vector<const HelpLine*> linesThatFit(std::span<const HelpLine> lines, bool choices, std::size_t room);
+/// Of the short list the first `room` lines. Where not all fit, the one that shows all keys is the last to go.
+std::vector<const HelpLine*> firstLines(std::span<const HelpLine> lines, std::size_t room);
 
 }  // namespace tyg

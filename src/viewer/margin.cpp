@@ -15,7 +15,12 @@ namespace {
 
 constexpr double kMostShare = 0.05;  // of the time, for the live limit
 constexpr double kStretched = 0.99;  // of the limit at rest: below that the cloth's stretch is told
-constexpr double kSmoothing = 0.1;   // of the cost, from one measurement to the next
+
+/// A scene whose limit at rest is that of a sheet which has lost springs, wherever that was.
+Scene withCuts(Scene scene) {
+  if (scene.cuts.empty()) scene.cuts.push_back({.line = {-1, 0.5, double(scene.columns), 0.5}, .at = 0});
+  return scene;
+}
 
 }  // namespace
 
@@ -32,34 +37,38 @@ void describe(const Margin& margin, MarginText& text) {
   if (margin.adaptive && !std::isfinite(margin.limit)) return say("chooses its own steps");
   // Measured: 0.5 to 1.8 % above the limit of fixed steps, wherever the tolerance holds.
   if (margin.adaptive) return say("chooses its own steps: on average about {:.3g} ms at most", 1e3 * margin.limit);
-  if (!std::isfinite(margin.limit)) return say("no step is too large for it");
-  if (margin.limit == 0) return say("no step holds: it needs damping");
+  if (!std::isfinite(margin.limit)) return say("stable at any step");
+  if (margin.limit == 0) return say("stable at no step: it needs damping");
   std::array<char, 32> rest{};
   if (margin.limit < kStretched * margin.rest) {
-    fmt::format_to_n(rest.data(), rest.size() - 1, " ({:.3g} ms at rest)", 1e3 * margin.rest);
+    fmt::format_to_n(rest.data(), rest.size() - 1, ", at rest {:.3g} ms", 1e3 * margin.rest);
   }
-  constexpr std::array kWarnings{"", "", ": close, a little more breaks it", ": PAST IT, the cloth will break"};
-  say("{:.2f} of the limit of {:.3g} ms{}{}", margin.share(), 1e3 * margin.limit, rest.data(),
-      kWarnings.at(static_cast<std::size_t>(margin.band())));
+  if (margin.band() == MarginBand::Past) {
+    return say("{:.3g} times the largest stable step ({:.3g} ms{}): unstable", margin.share(), 1e3 * margin.limit,
+               rest.data());
+  }
+  say("step is {:.0f} % of the largest stable one ({:.3g} ms{}){}", 100 * margin.share(), 1e3 * margin.limit,
+      rest.data(), margin.band() == MarginBand::Close ? ": close to unstable" : "");
 }
 
-void MarginWatch::follow(const Scene& scene, const Method& method, double step) {
-  if (method_ != &method || !sameLiveParameters(scene_, scene)) {
+void MarginWatch::follow(const Scene& scene, const Method& method, double step, bool isCut) {
+  if (method_ != &method || isCut != isCut_ || !sameLiveParameters(scene_, scene)) {
     method_ = &method;
     scene_ = scene;
+    isCut_ = isCut;
     measuredAt_ = -1;
     live_ = std::numeric_limits<double>::quiet_NaN();
-    margin_ = {.rest = restLatticeLimit(scene, method)};
+    margin_ = {.rest = restLatticeLimit(isCut ? withCuts(scene) : scene, method)};
   }
   margin_.step = step;
   margin_.adaptive = method.adaptive && scene.tolerance > 0;
   margin_.limit = std::fmin(margin_.rest, live_);  // of a number and NaN, the number
 }
 
-void MarginWatch::preview(const Scene& chosen) { follow(chosen, findMethod(chosen.integrator), chosen.dt); }
+void MarginWatch::preview(const Scene& chosen) { follow(chosen, findMethod(chosen.integrator), chosen.dt, isCut_); }
 
 void MarginWatch::update(Simulation& simulation, const Clock& clock) {
-  follow(simulation.scene(), simulation.method(), simulation.dt());
+  follow(simulation.scene(), simulation.method(), simulation.dt(), !simulation.sheet().missing.none());
   const bool moves = simulation.status() == Status::Ok && simulation.ticks() != measuredAt_;
   if (!margin_.adaptive && moves) measureLive(simulation, clock);
   margin_.limit = std::fmin(margin_.rest, live_);
@@ -69,13 +78,8 @@ void MarginWatch::measureLive(Simulation& simulation, const Clock& clock) {
   const double began = clock();
   if (measuredAt_ >= 0 && began < nextMeasured_) return;
   live_ = simulation.liveStableStep();
-  const double took = clock() - began;
-  nextMeasured_ = began + took / kMostShare;
-  if (measuredAt_ >= 0 && began > lastMeasured_) {
-    margin_.cost += kSmoothing * (std::min(1.0, took / (began - lastMeasured_)) - margin_.cost);
-  }
+  nextMeasured_ = began + (clock() - began) / kMostShare;
   measuredAt_ = simulation.ticks();
-  lastMeasured_ = began;
 }
 
 }  // namespace tyg

@@ -21,7 +21,6 @@ struct Margin {
   /// s, the smaller one of the limits at rest and in the present state; 0: no step holds; NaN or infinite: none.
   double limit = std::numeric_limits<double>::quiet_NaN();
   double rest = std::numeric_limits<double>::quiet_NaN();  ///< s, of the sheet at rest, likewise
-  double cost = 0;                                         ///< share of the time that finding them takes, 0..1
   bool adaptive = false;                                   ///< the method chooses its own steps
 
   [[nodiscard]] double share() const { return step / limit; }  ///< of the limit; NaN or 0 where there is none
@@ -29,7 +28,7 @@ struct Margin {
 };
 
 using MarginText = std::array<char, 128>;
-/// One line such as `0.95 of the limit of 4.26 ms: close, a little more breaks it`, and nothing allocated.
+/// One line such as `step is 95 % of the largest stable one (4.26 ms): close to unstable`, and nothing allocated.
 void describe(const Margin& margin, MarginText& text);
 
 class MarginWatch {
@@ -39,22 +38,23 @@ class MarginWatch {
   /// Once a frame. Past the alarm of a simulation the limit stays as it was. Finding the live limit takes no more than
   /// a twentieth of the time: the larger a sheet, the fewer frames measure it.
   void update(Simulation& simulation, const Clock& clock);
-  /// The same for what is chosen for the next run of a frozen cloth. With another method or other live parameters than
-  /// at the last update the limit is the one at rest.
+  /// The same for what is chosen for the next run of a frozen cloth, cut as it was. With another method or other live
+  /// parameters than at the last update the limit is the one at rest.
   void preview(const Scene& chosen);
   /// Another simulation: its limit at rest is worked out at the next update.
   void restart() { method_ = nullptr; }
   [[nodiscard]] const Margin& margin() const { return margin_; }
 
  private:
-  void follow(const Scene& scene, const Method& method, double step);
+  void follow(const Scene& scene, const Method& method, double step, bool isCut);
   void measureLive(Simulation& simulation, const Clock& clock);
 
   const Method* method_ = nullptr;
-  Scene scene_;                                 ///< whose live parameters rest is of
-  double live_ = 0;                             ///< s
-  std::int64_t measuredAt_ = -1;                ///< tick of the last measurement; -1 before the first with this method
-  double lastMeasured_ = 0, nextMeasured_ = 0;  ///< s, of the clock
+  Scene scene_;                   ///< whose live parameters rest is of
+  bool isCut_ = false;            ///< springs are gone: rest is that of whatever may be left
+  double live_ = 0;               ///< s
+  std::int64_t measuredAt_ = -1;  ///< tick of the last measurement; -1 before the first with this method
+  double nextMeasured_ = 0;       ///< s, of the clock
   Margin margin_;
 };
 

@@ -12,9 +12,11 @@
 namespace tyg {
 namespace {
 
-/// The trial run: its simulated and its wall time at most, s, and the ticks between two of its boxes.
+/// The trial run: its simulated and its wall time at most, s, and the ticks between two looks at it.
 constexpr double kTrialSeconds = 3, kTrialWallSeconds = 0.15;
-constexpr int kTicksPerBox = 10;
+constexpr int kTicksPerLook = 10;
+/// Of the rows and of the columns, evenly, the particles whose places tell where the cloth is, edges included.
+constexpr int kLookedAt = 8;
 /// Particles beyond which a trial would only take as long as setting the sheet up again does, and hardly move.
 constexpr int kMostInTrial = 512 * 512;
 
@@ -42,6 +44,13 @@ void addBodies(const Simulation& simulation, const Box& cloth, std::vector<glm::
   addBodyPoints(bodies, cloth, points);
 }
 
+/// Some of so many rows or columns, the first and the last among them.
+template <class Look>
+void forLookedAt(int count, const Look& look) {
+  const int some = std::min(count, kLookedAt);
+  for (int k = 0; k < some; ++k) look(some > 1 ? k * (count - 1) / (some - 1) : 0);
+}
+
 /// Where a cloth gets to in its first seconds that is pinned, or that bodies hold up; one that misses them falls far.
 /// How far the trial comes depends on the machine, and only the first view depends on that.
 void addMotion(Simulation trial, const Box& cloth, const std::function<double()>& clock,
@@ -55,11 +64,17 @@ void addMotion(Simulation trial, const Box& cloth, const std::function<double()>
   trial.observe(goesOn);
   while (trial.time() < end && goesOn()) {
     trial.tick();
-    if (trial.ticks() % kTicksPerBox != 0) continue;
+    if (trial.ticks() % kTicksPerLook != 0) continue;
     if (trial.check() != Status::Ok) return;
     trial.copyPositions(xyz);
-    const Box now = boxAround(xyz);
-    addCorners(hasBodies ? Box{clamped(now.low), clamped(now.high)} : now, points);
+    const Sheet& sheet = trial.sheet();
+    forLookedAt(sheet.rows, [&](int row) {
+      forLookedAt(sheet.columns, [&](int column) {
+        const auto at = static_cast<std::size_t>(3 * (row * sheet.columns + column));
+        const glm::vec3 place(xyz[at], xyz[at + 1], xyz[at + 2]);
+        points.push_back(hasBodies ? clamped(place) : place);
+      });
+    });
   }
   addBodies(trial, cloth, points);
 }

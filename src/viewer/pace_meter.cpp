@@ -9,6 +9,8 @@ namespace {
 constexpr double kSmoothingSeconds = 0.5;
 /// A longer frame says that nothing moved before it, not how fast frames come.
 constexpr double kLongestMeasuredFrame = 0.5;
+/// Frames per second: fewer are late, until there are more than a little more.
+constexpr double kLate = 20, kInTime = 23;
 
 }  // namespace
 
@@ -17,10 +19,16 @@ void PaceMeter::measure(double frameSeconds, double simulatingSeconds, const Fra
   const double share = frameSeconds_ > 0 ? std::min(1.0, frameSeconds / kSmoothingSeconds) : 1;
   frameSeconds_ += share * (frameSeconds - frameSeconds_);
   simulatingSeconds_ += share * (std::min(simulatingSeconds, frameSeconds) - simulatingSeconds_);
+  late_ = 1 / frameSeconds_ < (late_ ? kInTime : kLate);
+  const double simulating = simulatingSeconds_ / frameSeconds_;
+  using enum Pace::Slow;
   pace_ = {.framesPerSecond = 1 / frameSeconds_,
-           .simulating = simulatingSeconds_ / frameSeconds_,
+           .simulating = simulating,
            .realTime = clock.realTimeFactor(),
-           .behind = clock.behind()};
+           .behind = clock.behind(),
+           .slow = !late_ && !clock.behind() ? Nothing
+                   : simulating > 0.5        ? Simulating
+                                             : Drawing};
 }
 
 }  // namespace tyg

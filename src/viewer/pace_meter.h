@@ -12,6 +12,8 @@ struct Pace {
   double simulating = 0;       ///< share of the frame spent simulating, 0..1
   double realTime = 1;         ///< simulated seconds per second
   bool behind = false;         ///< the machine did not keep up with the wanted speed
+  enum class Slow { Nothing, Drawing, Simulating };
+  Slow slow = Slow::Nothing;  ///< what most of the time went into, where frames came late or time fell behind
 };
 
 class PaceMeter {
@@ -26,6 +28,7 @@ class PaceMeter {
  private:
   Pace pace_;
   double frameSeconds_ = 0, simulatingSeconds_ = 0;  ///< smoothed
+  bool late_ = false;                                ///< frames come late
 };
 
 }  // namespace tyg

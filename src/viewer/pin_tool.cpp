@@ -12,15 +12,19 @@ namespace {
 
 class PinTool final : public Tool {
  public:
-  void press(const ToolScope& scope, glm::vec2 cursor) override {
+  bool press(const ToolScope& scope, glm::vec2 cursor) override {
     const glm::vec2 window(scope.view.pixels().width, scope.view.pixels().height);
     const Sheet& sheet = scope.run.simulation().sheet();
     const auto hit = pickParticle(scope.view.camera(), cursor, window, sheet, scope.run.shown().positions());
-    if (!hit) return scope.notes.say("There is no cloth to pin here.");
+    if (!hit) return false;
     Simulation& simulation = scope.run.intervene();
     simulation.pin(*hit, !std::ranges::binary_search(simulation.sheet().pins, *hit));
     scope.record.picked = *hit;
     ++scope.record.uses;
+    return true;
+  }
+  void clickBeside(const ToolScope& scope, glm::vec2 /*cursor*/) override {
+    scope.notes.say("There is no cloth to pin here.");
   }
   void release(const ToolScope& /*scope*/) override {}
   std::int64_t follow(Simulation& /*simulation*/, std::int64_t /*due*/) override {

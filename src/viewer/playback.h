@@ -18,25 +18,32 @@ class Playback {
     clock_.setSpeed(std::clamp(clock_.speed() * factor, kSlowest, 1.0));
     speedBefore_ = clock_.speed();
   }
-  /// From now on the past is shown again, slowly.
-  void beginReplay() {
+  static constexpr double kSlowly = 0.125;
+  /// From now on the past is shown again, no faster than this.
+  void beginReplay(double speed = kSlowly) {
     replaying_ = true;
     speedBefore_ = clock_.speed();
-    clock_.setSpeed(std::min(speedBefore_, kReplaySpeed));
+    clock_.setSpeed(std::min(speedBefore_, speed));
   }
-  /// Does nothing where there is no replay.
+  /// From now on time passes no faster than this, as for a cloth that breaks.
+  void slowDown(double speed) {
+    if (!slowed_) speedBefore_ = clock_.speed();
+    slowed_ = true;
+    clock_.setSpeed(std::clamp(std::min(speedBefore_, speed), kSlowest, 1.0));
+  }
+  /// Ends a replay, or that slowness; does nothing where there is neither.
   void endReplay() {
-    if (replaying_) clock_.setSpeed(speedBefore_);
-    replaying_ = false;
+    if (replaying_ || slowed_) clock_.setSpeed(speedBefore_);
+    replaying_ = slowed_ = false;
   }
   [[nodiscard]] bool replaying() const { return replaying_; }
   [[nodiscard]] FrameClock& clock() { return clock_; }
   [[nodiscard]] const FrameClock& clock() const { return clock_; }
 
  private:
-  static constexpr double kReplaySpeed = 0.125, kSlowest = 1.0 / 64;
+  static constexpr double kSlowest = 1.0 / 64;
   FrameClock clock_;
-  bool replaying_ = false;
+  bool replaying_ = false, slowed_ = false;
   double speedBefore_ = 1;  ///< that a replay goes back to
 };
 

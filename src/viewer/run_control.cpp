@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "study/limits/fast_contact.h"
+#include "tyg/methods.h"
 
 namespace tyg {
 namespace {
@@ -39,7 +40,11 @@ RunControl::RunControl(Simulation simulation, Clock clock, Notes& notes, RunList
 }
 
 void RunControl::startOrPause() {
-  if (state_ == RunState::Frozen) return;
+  if (state_ == RunState::Frozen) {
+    return notes_.say(failure_.cure()
+                          ? "space would go on into the failure: take one of the ways out, or Enter to see it."
+                          : "From here nothing goes on: R restarts.");
+  }
   if (state_ != RunState::Running) return goOn();
   playback_.endReplay();
   state_ = RunState::Paused;
@@ -50,6 +55,7 @@ void RunControl::goOn() {
   failure_.setRunsOn(failure_.runsOn() && simulation_.status() != Status::Ok);
   simulation_.keepGoing(failure_.runsOn());
   failure_.thaw();
+  if (failure_.runsOn()) playback_.slowDown(BreakRecord::kTicksPerSecond * simulation_.dt());
   state_ = RunState::Running;
   playback_.clock().restart();
 }
@@ -105,8 +111,16 @@ void RunControl::replay() {
   });
 }
 
+bool RunControl::canRunOn() const {
+  return failure_.cure() && !failure_.runsOn() && simulation_.status() == Status::Unstable &&
+         !BreakRecord::hasBroken(shown_);
+}
+
 void RunControl::runOn() {
-  if (!failure_.cure() || failure_.runsOn() || simulation_.status() != Status::Unstable) return;
+  if (!canRunOn()) return;
+  breaking_.clear();
+  breaking_.note(shown_);
+  playback_.slowDown(BreakRecord::kTicksPerSecond * simulation_.dt());
   failure_.thaw();
   failure_.setRunsOn(true);
   simulation_.keepGoing(true);
@@ -132,6 +146,7 @@ void RunControl::startOver(Simulation fresh) {
   sleep_.wake();
   journey_.giveUp();
   failure_.restart();
+  breaking_.clear();
   simulation_ = std::move(fresh);
   ticks_.guard(simulation_);
   history_.begin(simulation_);
@@ -139,6 +154,18 @@ void RunControl::startOver(Simulation fresh) {
   isFastContactNoted_ = false;
   notes_.warn(trouble);
   showStart();
+}
+
+void RunControl::startOver(Simulation fresh, EventLog log) {
+  for (const Event& event : log.events) {
+    if (const auto* change = std::get_if<MethodEvent>(&event.action)) (void)findMethod(change->method);
+  }
+  startOver(std::move(fresh));
+  history_.recall(simulation_, std::move(log));
+  if (!history_.past()) return;
+  playback_.beginReplay(1);
+  state_ = RunState::Running;
+  playback_.clock().restart();
 }
 
 void RunControl::showStart() {
@@ -179,6 +206,13 @@ int RunControl::run(std::int64_t ticks, double seconds) {
 /// Takes the simulation's state over for drawing, unless the alarm says that it is not worth showing.
 void RunControl::show() {
   if (!shown_.take(simulation_, failure_.runsOn())) return freezeOnAlarm();
+  if (failure_.runsOn() && simulation_.status() != Status::Ok) {
+    breaking_.note(shown_);
+    const bool isOver = BreakRecord::hasBroken(shown_) || breaking_.isSeen(simulation_.dt());
+    if (isOver && state_ == RunState::Running && !history_.past()) return freezeOnAlarm();
+  } else if (!failure_.lastGood()) {
+    breaking_.clear();
+  }
   if (simulation_.status() == Status::Ok && !history_.past()) failure_.passed(shown_.tick());
   noteFastContact();
   if (state_ == RunState::Running && !playback_.replaying() && !listener_.actsAt(shown_.tick())) {
@@ -202,6 +236,7 @@ void RunControl::freezeOnAlarm() {
   listener_.settingsReturned();
   state_ = RunState::Frozen;
   failure_.freezeOnAlarm(simulation_, shown_);
+  failure_.setRunsOn(false);
 }
 
 /// The simulation is at the beginning of the tick that was given up.

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "tyg/simulation.h"
+#include "viewer/break_record.h"
 #include "viewer/failure.h"
 #include "viewer/history.h"
 #include "viewer/journey.h"
@@ -57,6 +58,9 @@ class RunControl {
   bool turnBeforeFailure(std::function<void()> then);
   /// Ends the run and waits at the start of another simulation.
   void startOver(Simulation fresh);
+  /// The same with a run of it that a log tells of, which is then played up to its end. Throws InputError where the two
+  /// do not fit together.
+  void startOver(Simulation fresh, EventLog log);
   /// Freezes and shows the text: for what is thrown by those who draw and log.
   void freeze(std::string message);
 
@@ -86,6 +90,14 @@ class RunControl {
   [[nodiscard]] const ShownState& shown() const { return shown_; }
   [[nodiscard]] const Failure& failure() const { return failure_; }
   [[nodiscard]] const Margin& margin() const { return failure_.margin(); }
+  /// Of a cloth that was let run on past its alarm; empty for others.
+  [[nodiscard]] std::span<const BreakRecord::Moment> breaking() const { return breaking_.moments(); }
+  /// It runs on past its alarm, or is shown as that has left it.
+  [[nodiscard]] bool showsBreaking() const {
+    return !breaking_.moments().empty() && shown_.time() >= failure_.alarmTime();
+  }
+  /// It can be let run on past its alarm.
+  [[nodiscard]] bool canRunOn() const;
   [[nodiscard]] Timeline timeline() const;
   /// It runs, and stays as it is until something is done to it. No ticks pass meanwhile.
   [[nodiscard]] bool asleep() const { return sleep_.asleep(shown_.time()); }
@@ -117,6 +129,7 @@ class RunControl {
   SleepWatch sleep_;
   ShownState shown_;
   Failure failure_;
+  BreakRecord breaking_;
   RunState state_ = RunState::Waiting;
   bool isFastContactNoted_ = false;  ///< in this run
   Journey journey_;                  ///< to history_.target()

@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "core/simulation/live_parameters.h"
+#include "core/simulation/replay.h"
 #include "tyg/methods.h"
+#include "util/whole_file.h"
 
 namespace tyg {
 namespace {
@@ -34,6 +36,28 @@ SceneChange SceneControl::use(const Scene& scene) {
     return SceneChange::None;
   }
   return change;
+}
+
+void SceneControl::open(const std::string& path) {
+  if (run_.seeking()) return;
+  std::string text = readWholeFile(path, "cannot read", "a scene (.toml) or a log (.csv)");
+  if (text.starts_with("# ") && text.find("\ntick,event") != std::string::npos) return play(parseEventLog(text, path));
+  begin(parseScene(text, path, methodNames()), true);
+}
+
+void SceneControl::play(EventLog log) {
+  Scene scene = loggedScene(log, methodNames());
+  scene.integrator = findMethod(log.integrator).name;
+  scene.dt = log.dt, scene.precision = log.precision;
+  if (scene.columns != log.columns || scene.rows != log.rows) {
+    throw InputError(fmt::format("found a log of {} x {} particles, allowed: {} x {}, as its scene '{}' has",
+                                 log.columns, log.rows, scene.columns, scene.rows, scene.name));
+  }
+  Simulation fresh(scene, findMethod(scene.integrator), settings_);
+  scene_ = scene;
+  method_ = &findMethod(scene.integrator);
+  ++sheetsSoFar_, ++runsSoFar_;
+  run_.startOver(std::move(fresh), std::move(log));
 }
 
 /// Another method, step or other live parameters.
@@ -123,6 +147,16 @@ void SceneControl::takeSafeStep() {
   const double safe = safeStep(run_.measureLimit());
   const double step = cure ? cure->step : run_.margin().adaptive ? 0 : safe;
   if (step > 0) wanted.dt = step, cureWith(wanted);
+}
+
+void SceneControl::goOnWhereMended() {
+  const Simulation& failed = run_.simulation();
+  if (run_.state() != RunState::Frozen || !run_.failure().cure()) return;
+  if (method_ == &failed.method() && scene_.dt == failed.dt()) return;
+  run_.updateMargin(scene_);
+  if (run_.margin().band() == MarginBand::Past) return;
+  const Scene wanted = scene_;
+  cureWith(wanted);
 }
 
 void SceneControl::takeHoldingMethod() {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 #include "viewer/run_control.h"
 #include "viewer/scene_change.h"
@@ -20,6 +21,8 @@ class SceneControl {
   /// Goes on with this scene: at once where the running simulation can, else from the start. Changes nothing and warns
   /// where the scene does not fit together. Returns what it took.
   SceneChange use(const Scene& scene);
+  /// Opens a scene or the log of a run, which is then played. Throws InputError where it is neither, or cannot be used.
+  void open(const std::string& path);
   /// By its slot in methods(); does nothing beyond the last one.
   void chooseMethod(std::size_t slot);
   /// By a twentieth.
@@ -29,6 +32,8 @@ class SceneControl {
   void takeSafeStep();
   /// The method of the cure; does nothing where there is none.
   void takeHoldingMethod();
+  /// Goes on from before a failure where the method and the step that are chosen by now hold.
+  void goOnWhereMended();
   /// From the start, with the scene, method and step that are chosen.
   void restart();
   /// Whether to follow the dissipated energy, restarts included.
@@ -53,6 +58,7 @@ class SceneControl {
   void useMethod(const Method& method);
   void useStep(double dt);
   void begin(const Scene& scene, bool newSheet);
+  void play(EventLog log);
   void cureWith(const Scene& wanted);
 
   RunControl& run_;

@@ -20,9 +20,11 @@ class ShownState {
   /// What was done to the sheet at the shown time without time passing.
   void followSheet(const Simulation& simulation) {
     if (sheet_ != simulation.sheet()) sheet_ = simulation.sheet();
+    held_.assign(simulation.held().begin(), simulation.held().end());
   }
 
   [[nodiscard]] const Sheet& sheet() const { return sheet_; }                    ///< with its pins and what was cut
+  [[nodiscard]] std::span<const int> held() const { return held_; }              ///< of its pins those in a hand
   [[nodiscard]] std::span<const float> positions() const { return positions_; }  ///< x, y, z of each particle, m
   [[nodiscard]] double time() const { return time_; }                            ///< s
   [[nodiscard]] std::int64_t tick() const { return tick_; }
@@ -35,6 +37,7 @@ class ShownState {
   std::int64_t tick_ = 0;
   Box box_;
   Sheet sheet_;
+  std::vector<int> held_;
 };
 
 }  // namespace tyg

@@ -54,7 +54,10 @@ class Tool {
   Tool& operator=(const Tool&) = delete;
 
   /// The button went down over a cloth that can be acted on: it is neither frozen nor on its way to a past time.
-  virtual void press(const ToolScope& scope, glm::vec2 cursor) = 0;
+  /// Returns false where that was not for the tool, as beside the cloth: it then hears nothing more of this press.
+  virtual bool press(const ToolScope& scope, glm::vec2 cursor) = 0;
+  /// A press that was not for it came up again at once and where it was.
+  virtual void clickBeside(const ToolScope& /*scope*/, glm::vec2 /*cursor*/) {}
   /// The cursor moved, whether or not the button is down.
   virtual void move(const ToolScope& /*scope*/, glm::vec2 /*cursor*/) {}
   /// The button came up where the cursor was last.

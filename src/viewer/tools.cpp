@@ -29,10 +29,12 @@ void Tools::choose(std::size_t slot) {
   chosen_ = slot;
 }
 
-void Tools::press(glm::vec2 cursor) {
-  if (run_.state() == RunState::Frozen || run_.seeking() || !view_.visible()) return;
-  pressed_ = true;
-  chosen().press(scope(), cursor);
+bool Tools::canAct() const { return run_.state() != RunState::Frozen && !run_.seeking() && view_.visible(); }
+
+bool Tools::press(glm::vec2 cursor) { return pressed_ = canAct() && chosen().press(scope(), cursor); }
+
+void Tools::clickBeside(glm::vec2 cursor) {
+  if (canAct()) chosen().clickBeside(scope(), cursor);
 }
 
 void Tools::release() {

@@ -15,9 +15,11 @@ class Tools {
   /// All that is given here must live as long as this does.
   Tools(RunControl& run, const ViewControl& view, Notes& notes);
 
-  /// The left button, at this place of the cursor. Does nothing where the cloth is frozen, on its way to a past time,
-  /// or not to be seen.
-  void press(glm::vec2 cursor);
+  /// The left button, at this place of the cursor. Returns false, and does nothing, where that is not for the tool, or
+  /// the cloth is frozen, on its way to a past time, or not to be seen.
+  bool press(glm::vec2 cursor);
+  /// A press that was not for the tool came up again at once and where it was.
+  void clickBeside(glm::vec2 cursor);
   void move(glm::vec2 cursor) { chosen().move(scope(), cursor); }
   void release();
   /// The button no longer counts; see Tool::letGo.
@@ -50,6 +52,7 @@ class Tools {
  private:
   [[nodiscard]] Tool& chosen() { return *tools_[chosen_]; }
   [[nodiscard]] ToolScope scope() { return {run_, view_, notes_, record_}; }
+  [[nodiscard]] bool canAct() const;
 
   RunControl& run_;
   const ViewControl& view_;

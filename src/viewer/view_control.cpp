@@ -2,11 +2,24 @@
 #include "viewer/view_control.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <utility>
 
 #include "view/body_shapes.h"
 
 namespace tyg {
+
+namespace {
+
+constexpr float kGlideSeconds = 0.8F;
+
+}  // namespace
+
+void ViewControl::follow(const Box& cloth, std::span<const Body> bodies, bool hasMoved) {
+  cloth_ = cloth, bodies_ = bodies;
+  const bool begins = hasMoved && !std::exchange(hasMoved_, hasMoved);
+  if (begins && framed_ && !cameraMoved_ && !motionBounds_.empty()) glideTo(motionBounds_);
+}
 
 void ViewControl::resize(Extent pixels, const Insets& insets) {
   if (pixels == pixels_ && insets == insets_) return;
@@ -15,62 +28,105 @@ void ViewControl::resize(Extent pixels, const Insets& insets) {
   if (!visible()) return;
   if (!framed_) return frameCloth();
   if (!cameraMoved_) return fitView();
-  const float before = std::exchange(aside_, aside());
-  camera_.slide(aside_ - before);
+  const FreePart before = std::exchange(part_, freePart());
+  camera_.slide(part_.toTheRight - before.toTheRight, part_.above - before.above);
 }
 
 void ViewControl::frameCloth() {
   camera_.watch(cloth_);
-  inView_ = motionBounds_;
-  if (hasMoved_) {
-    const auto corners = cloth_.corners();
-    inView_.assign(corners.begin(), corners.end());
-    addBodyPoints(bodies_, cloth_, inView_);
-  }
+  const auto corners = cloth_.corners();
+  inView_.assign(corners.begin(), corners.end());
+  addBodyPoints(bodies_, cloth_, inView_);
   fitView();
+}
+
+void ViewControl::glideTo(std::vector<glm::vec3> points) {
+  const glm::vec3 from = camera_.eye();
+  inView_ = std::move(points);
+  fitView();
+  glide_ = Glide{.from = from, .to = camera_.eye()};
+  camera_.place(from);
+}
+
+void ViewControl::followBreaking(bool breaks, bool runs) {
+  if (!breaks && std::exchange(followed_, false) && !cameraMoved_) return glideTo(motionBounds_);
+  if (!breaks || cameraMoved_ || !visible()) return;
+  followed_ = true;
+  constexpr float kShare = 0.25F;  // of the way, a frame
+  const glm::vec3 from = camera_.eye();
+  frameCloth();
+  camera_.place(glm::mix(from, camera_.eye(), runs ? kShare : 1));
+}
+
+void ViewControl::movedByHand() {
+  cameraMoved_ = true;
+  glide_.reset();
 }
 
 void ViewControl::fitView() {
   if (!visible()) return;
-  const int free = std::max(pixels_.width / 3, pixels_.width - insets_.left - insets_.right);
-  aside_ = aside();
+  part_ = freePart();
   std::vector<glm::vec3> points = inView_;
   if (insets_.beside > 0) {
     for (const glm::vec3& point : inView_) points.push_back(point - insets_.beside * camera_.right());
   }
-  camera_.frame(points, float(free) / float(pixels_.height), aside_);
+  camera_.frame(points, part_);
   framed_ = true;
   cameraMoved_ = false;
+  glide_.reset();
 }
 
-float ViewControl::aside() const { return 0.5F * float(insets_.left - insets_.right) / float(pixels_.height); }
+FreePart ViewControl::freePart() const {
+  const auto [width, height] = pixels_;
+  const auto heights = [height = height](int pixels) { return float(pixels) / float(height); };
+  return {.width = heights(std::max(width / 3, width - insets_.left - insets_.right)),
+          .height = heights(std::max(height / 3, height - insets_.top - insets_.bottom)),
+          .toTheRight = heights(insets_.left - insets_.right) / 2,
+          .above = heights(insets_.bottom - insets_.top) / 2};
+}
 
 void ViewControl::move(const Motion& keys, float seconds) {
   camera_.watch(cloth_);
   camera_.move(keys, seconds);
-  cameraMoved_ = cameraMoved_ || keys.right != 0 || keys.up != 0 || keys.forward != 0;
+  if (keys != Motion{}) movedByHand();
+  if (!glide_) return;
+  glide_->seconds += seconds;
+  camera_.place(glm::mix(glide_->from, glide_->to, glm::smoothstep(0.0F, kGlideSeconds, glide_->seconds)));
+  if (glide_->seconds >= kGlideSeconds) glide_.reset();
 }
 
 void ViewControl::turn(glm::vec2 pixels) {
   camera_.turn(pixels.x, pixels.y);
-  cameraMoved_ = true;
+  movedByHand();
+}
+
+void ViewControl::orbit(glm::vec2 pixels) {
+  camera_.watch(cloth_);
+  camera_.orbit(pixels.x, pixels.y);
+  movedByHand();
 }
 
 void ViewControl::approach(float notches) {
   camera_.approach(notches);
-  cameraMoved_ = true;
+  movedByHand();
 }
 
 void ViewControl::toggle(InputAction action) {
   using enum InputAction;
   const auto flip = [](bool& value) { value = !value; };
+  const auto flipLines = [&](bool& family) {
+    family = draw_.show == Show::Surface || !family;
+    if (draw_.show == Show::Surface) show(Show::Both);
+  };
   switch (action) {
     case ShowStructural:
-      return flip(draw_.structural);
+      return flipLines(draw_.structural);
     case ShowShear:
-      return flip(draw_.shear);
+      return flipLines(draw_.shear);
     case ShowBend:
-      return flip(draw_.bend);
+      return flipLines(draw_.bend);
+    case ChangeShow:
+      return show(draw_.show == Show::Lines ? Show::Surface : draw_.show == Show::Surface ? Show::Both : Show::Lines);
     case ShowParticles:
       return flip(draw_.particles);
     case ShowPins:
@@ -79,6 +135,8 @@ void ViewControl::toggle(InputAction action) {
       return flip(draw_.ground);
     case ShowHelp:
       return flip(help_);
+    case ShowAllKeys:
+      return flip(allKeys_);
     case ChangeBackground:
       draw_.background = draw_.background == Background::Dark ? Background::Light : Background::Dark;
       return;

@@ -4,6 +4,7 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,46 +18,67 @@ namespace tyg {
 /// What of the window is not free for the cloth.
 struct Insets {
   int left = 0, right = 0;  ///< pixels at the window's sides that panels and keys take
+  int top = 0, bottom = 0;  ///< pixels at its other edges, which bars and what is said take
   float beside = 0;  ///< m, to the left of the cloth as the camera sees it, at which a second cloth is shown; 0: none
   bool operator==(const Insets&) const = default;
 };
 
 class ViewControl {
  public:
-  /// A new cloth, whose motion stays within these points (m): the view of it before it moves.
+  /// A new cloth, whose motion stays within these points (m): once it moves, the view glides to where all of them are
+  /// seen, unless the person has moved the camera.
   void begin(std::vector<glm::vec3> motionBounds) { motionBounds_ = std::move(motionBounds); }
   /// Where the cloth and the bodies, which are kept by reference, are now, and whether time has passed since the start.
-  void follow(const Box& cloth, std::span<const Body> bodies, bool hasMoved) {
-    cloth_ = cloth, bodies_ = bodies, hasMoved_ = hasMoved;
-  }
+  void follow(const Box& cloth, std::span<const Body> bodies, bool hasMoved);
 
   /// Size of the window, and its insets. The first one that is not empty frames the cloth, and what is beside it, in
-  /// the rest (a third of the window in any case), as frameCloth() does. So do later ones, until the person moves the
+  /// the rest (a third of each side in any case), as frameCloth() does. So do later ones, until the person moves the
   /// camera: from then on the cloth stays as large as it is, and slides to the middle of what is free.
   void resize(Extent pixels, const Insets& insets);
-  /// Shows all of the cloth and of the bodies near to it, and before it has moved also where it will get to.
+  /// Shows all of the cloth and of the bodies near to it, as large as fits.
   void frameCloth();
-  /// Once a frame: moves as the held keys say.
+  /// Once a frame: moves as the held keys say, or glides on.
   void move(const Motion& keys, float seconds);
+  /// Once a frame of a cloth that breaks: goes along with it while it runs, and shows all of it then, unless the person
+  /// has moved the camera. Afterwards, once a frame of any other: goes back.
+  void followBreaking(bool breaks, bool runs);
   void turn(glm::vec2 pixels);   ///< the cursor moved so far
+  void orbit(glm::vec2 pixels);  ///< around the cloth; likewise
   void approach(float notches);  ///< of the wheel
-  /// Switches one of the things that are drawn; does nothing for an action of another kind.
+  /// The cloth is shown so from now on, whatever its scene says.
+  void show(Show how) { chosenShow_ = draw_.show = how; }
+  /// What show() and the person chose, if they did.
+  [[nodiscard]] std::optional<Show> chosenShow() const { return chosenShow_; }
+  /// The scene's wish, which counts until the person chooses.
+  void followScene(Show how) { draw_.show = chosenShow_.value_or(how); }
+  /// Switches one of the things that are drawn; does nothing for an action of another kind. A family of lines comes on
+  /// to a surface that is shown alone.
   void toggle(InputAction action);
 
   [[nodiscard]] const Camera& camera() const { return camera_; }
+  [[nodiscard]] bool glides() const { return glide_.has_value(); }  ///< the camera moves by itself
   [[nodiscard]] Extent pixels() const { return pixels_; }  ///< of the window; 0 x 0 while nothing of it can be seen
   [[nodiscard]] const Insets& insets() const { return insets_; }
   [[nodiscard]] bool visible() const { return pixels_.width > 0 && pixels_.height > 0; }
   [[nodiscard]] const DrawOptions& drawOptions() const { return draw_; }
-  [[nodiscard]] bool showsHelp() const { return help_; }  ///< the keys
+  [[nodiscard]] bool showsHelp() const { return help_; }        ///< the short list of keys
+  [[nodiscard]] bool showsAllKeys() const { return allKeys_; }  ///< the long one, over everything
 
  private:
+  /// On its way from one place of the eye to another, m.
+  struct Glide {
+    glm::vec3 from{0}, to{0};
+    float seconds = 0;  ///< so far
+  };
   void fitView();
-  [[nodiscard]] float aside() const;
+  void glideTo(std::vector<glm::vec3> points);
+  void movedByHand();
+  [[nodiscard]] FreePart freePart() const;
 
   Camera camera_;
   DrawOptions draw_;
-  bool help_ = true;
+  std::optional<Show> chosenShow_;  ///< by the person
+  bool help_ = true, allKeys_ = false;
   Extent pixels_;
   Insets insets_;
   Box cloth_;
@@ -64,9 +86,11 @@ class ViewControl {
   bool hasMoved_ = false;
   std::vector<glm::vec3> motionBounds_;
   std::vector<glm::vec3> inView_;  ///< what was framed
-  float aside_ = 0;                ///< heights of the window from its middle to the middle of what is free
+  FreePart part_;                  ///< of the window, at the last change of it
   bool framed_ = false;
   bool cameraMoved_ = false;  ///< by the person, since the cloth was framed
+  std::optional<Glide> glide_;
+  bool followed_ = false;  ///< a cloth that breaks
 };
 
 }  // namespace tyg

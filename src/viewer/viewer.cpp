@@ -14,6 +14,8 @@ namespace {
 using enum InputAction;
 
 constexpr float kNotchesPerPixel = 0.05F;  // of a drag upwards, which comes nearer as the wheel does
+constexpr float kClickPixels = 4;          // a click beside the cloth moves no farther
+constexpr double kClickSeconds = 0.5;      // nor does it last longer
 
 }  // namespace
 
@@ -23,15 +25,17 @@ Viewer::Viewer(const Scene& scene, const Settings& settings, Clock clock)
       scenes_(scene, settings, run_, notes_),
       tools_(run_, view_, notes_),
       lastFrame_(clock_()) {
+  view_.followScene(scene.look.show);
   run_.showStart();
 }
 
 void Viewer::runBegan() {
   tools_.restart();
+  view_.followScene(scenes_.scene().look.show);
   if (std::exchange(sheet_, scenes_.sheetsSoFar()) == scenes_.sheetsSoFar()) return;
   tools_.forgetParticles();
-  view_.begin(motionBounds(run_.simulation(), run_.shown().box(), scenes_.settings(), clock_));
   followCloth();
+  view_.begin(motionBounds(run_.simulation(), run_.shown().box(), scenes_.settings(), clock_));
   view_.frameCloth();
 }
 
@@ -68,13 +72,16 @@ void Viewer::dispatch(const WindowEvent& event) {
       leftDrag_ = LeftDrag::Tool;
       tools_.letGo();
       return keys_.releaseAll();
+    case WindowEvent::Kind::Drop:
+      notes_.clear();
+      return scenes_.open(event.path);
     case WindowEvent::Kind::Exposed:
       return;
   }
 }
 
 void Viewer::press(const Input& input, const WindowEvent& event) {
-  notes_.clear();
+  notes_.clear(clock_());
   if (isMouse(input.key)) cursor_ = {event.x, event.y};
   keys_.press(input, clock_());
   if (input.action == UseTool) return pressLeft(event);
@@ -84,20 +91,29 @@ void Viewer::press(const Input& input, const WindowEvent& event) {
 }
 
 void Viewer::pressLeft(const WindowEvent& event) {
+  pressedAt_ = cursor_;
+  pressedTime_ = clock_();
   leftDrag_ = event.control ? LeftDrag::Look : event.shift ? LeftDrag::Approach : LeftDrag::Tool;
-  if (leftDrag_ == LeftDrag::Tool) tools_.press(cursor_);
+  if (leftDrag_ == LeftDrag::Tool && !tools_.press(cursor_)) leftDrag_ = LeftDrag::Beside;
+}
+
+void Viewer::releaseLeft() {
+  const LeftDrag drag = std::exchange(leftDrag_, LeftDrag::Tool);
+  if (drag == LeftDrag::Tool) tools_.release();
+  if (drag == LeftDrag::Beside && clock_() - pressedTime_ <= kClickSeconds) tools_.clickBeside(cursor_);
 }
 
 void Viewer::release(KeyCode key) {
   keys_.release(key);
   const Input* input = findInput(key);
-  if (input == nullptr || input->action != UseTool) return;
-  if (std::exchange(leftDrag_, LeftDrag::Tool) == LeftDrag::Tool) tools_.release();
+  if (input != nullptr && input->action == UseTool) releaseLeft();
 }
 
 void Viewer::moveCursor(glm::vec2 cursor) {
   const glm::vec2 moved = cursor - std::exchange(cursor_, cursor);
   if (leftDrag_ == LeftDrag::Tool) tools_.move(cursor);
+  if (leftDrag_ == LeftDrag::Beside && glm::distance(cursor, pressedAt_) > kClickPixels) leftDrag_ = LeftDrag::Orbit;
+  if (leftDrag_ == LeftDrag::Orbit) view_.orbit(moved);
   if (keys_.held(LookAround) || leftDrag_ == LeftDrag::Look) view_.turn(moved);
   if (leftDrag_ == LeftDrag::Approach) view_.approach(-kNotchesPerPixel * moved.y);
 }
@@ -153,7 +169,8 @@ void Viewer::resize(Extent pixels, const Insets& insets) {
 }
 
 bool Viewer::idle() const {
-  return run_.resting() && !keys_.repeats() && !keys_.held(LookAround) && !keys_.moves() && !tools_.pressed();
+  return run_.resting() && !keys_.repeats() && !keys_.held(LookAround) && !keys_.moves() && !tools_.pressed() &&
+         !view_.glides();
 }
 
 bool Viewer::behind() const { return run_.state() == RunState::Running && pace().behind && !run_.asleep(); }
@@ -163,11 +180,14 @@ void Viewer::frame() {
   const double seconds = now - std::exchange(lastFrame_, now);
   followCloth();
   view_.move(keys_.motion(), static_cast<float>(seconds));
+  keys_.moved(seconds);
   if (keys_.repeats() && !run_.seeking()) {
     if (const auto action = keys_.due(clock_())) perform(*action);
   }
   tools_.frame();
   run_.advance(seconds, pace_.otherSeconds());
+  followCloth();
+  view_.followBreaking(run_.showsBreaking(), run_.state() == RunState::Running);
   run_.updateMargin(scenes_.scene());
   if (!woken_ && !idle()) pace_.measure(seconds, clock_() - now, run_.frameClock());
   woken_ = false;

@@ -25,6 +25,8 @@ class Viewer final : private RunListener {
   void perform(InputAction action);
   /// Size of the window, and what of it is not free for the cloth; see ViewControl::resize.
   void resize(Extent pixels, const Insets& insets);
+  /// As the key does it that goes through lines, surface and both.
+  void show(Show how) { view_.show(how); }
   /// Once a frame: moves the camera and the cloth to the present time.
   void frame();
 
@@ -54,10 +56,11 @@ class Viewer final : private RunListener {
   void runBegan() override;
 
   void dispatch(const WindowEvent& event);
-  /// What dragging the left button does, by the keys that were down when it went down.
-  enum class LeftDrag { Tool, Look, Approach };
+  /// What dragging the left button does, by the keys that were down when it went down, and by what was below it.
+  enum class LeftDrag { Tool, Beside, Orbit, Look, Approach };
   void press(const Input& input, const WindowEvent& event);
   void pressLeft(const WindowEvent& event);
+  void releaseLeft();
   void release(KeyCode key);
   void moveCursor(glm::vec2 cursor);
   void act(InputAction action);
@@ -74,9 +77,11 @@ class Viewer final : private RunListener {
   std::vector<Body> bodies_;  ///< where they are at the shown time
   glm::vec2 cursor_{0};
   LeftDrag leftDrag_ = LeftDrag::Tool;
-  int sheet_ = 0;         ///< of scenes_.sheetsSoFar(), the one that the view and the tools are of
-  double lastFrame_ = 0;  ///< s, of the clock
-  bool woken_ = false;    ///< this frame ends an idle time
+  glm::vec2 pressedAt_{0};  ///< pixels, where the left button went down
+  double pressedTime_ = 0;  ///< s, of the clock
+  int sheet_ = 0;           ///< of scenes_.sheetsSoFar(), the one that the view and the tools are of
+  double lastFrame_ = 0;    ///< s, of the clock
+  bool woken_ = false;      ///< this frame ends an idle time
   bool leaving_ = false;
 };
 

@@ -12,7 +12,7 @@ TEST(Render, DrawsAPictureThatShowsTheCloth) {
   const auto file = folder / "curtain.png";
   const Outcome outcome = tyg("render curtain --at 0.3 --size 320x200 --out " + file.string());
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  const Picture picture = readPng(file);
+  const Picture picture = readPicture(file);
   EXPECT_EQ(picture.width, 320);
   EXPECT_EQ(picture.height, 200);
   int blue = 0;  // the springs' colour; neither sky nor ground comes near it
@@ -36,6 +36,44 @@ TEST(Render, TheSameMomentGivesTheSameBytes) {
   for (const char* name : {"a.png", "b.png"}) tyg("render poke --size 160x100 --out " + (folder / name).string());
   EXPECT_EQ(contentsOf(folder / "a.png"), contentsOf(folder / "b.png"));
   EXPECT_FALSE(contentsOf(folder / "a.png").empty());
+}
+
+TEST(Render, FollowsTheLookOfTheSceneUnlessItIsToldOtherwise) {
+  const Folder folder;
+  const auto picture = [&](const std::string& options) {
+    const auto file = folder / "a.png";
+    const Outcome outcome = tyg("render " + options + " --at 0.02 --size 160x100 --out " + file.string());
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return contentsOf(file);
+  };
+  const std::string flag = picture("flag"), curtain = picture("curtain");
+  EXPECT_EQ(picture("flag --look surface"), flag);
+  EXPECT_NE(picture("flag --look lines"), flag);
+  EXPECT_NE(picture("flag --look both"), flag);
+  EXPECT_EQ(picture("curtain --look lines"), curtain);
+  EXPECT_NE(picture("curtain --look surface"), curtain);
+  const Outcome refused = tyg("render flag --look face");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_TRUE(holds(refused.err, "face") && holds(refused.err, "surface")) << refused.err;
+}
+
+TEST(Render, NamesAPictureOfTheSceneThatItCannotRead) {
+  const Folder folder;
+  std::string text = contentsOf(std::filesystem::path(TYG_SOURCE_DIR) / "src/scenes/curtain.toml");
+  text.insert(text.find("[run]"), "[look]\nshow = \"surface\"\nimage = \"cloth.png\"\n");
+  std::ofstream(folder / "a.toml") << text;
+  const std::string render =
+      "render " + (folder / "a.toml").string() + " --at 0.02 --out " + (folder / "a.png").string();
+  const Outcome missing = tyg(render);
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_TRUE(holds(missing.err, (folder / "cloth.png").string())) << missing.err;
+  std::ofstream(folder / "cloth.png") << "not a picture";
+  const Outcome wrong = tyg(render);
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_TRUE(holds(wrong.err, "allowed a PNG or JPEG picture")) << wrong.err;
+  writePng({.width = 1, .height = 1, .rgba = {255, 0, 0, 255}}, folder / "cloth.png");
+  EXPECT_EQ(tyg(render).code, 0);
+  EXPECT_EQ(tyg("run " + (folder / "a.toml").string() + " --duration 0.02").code, 0) << "a run needs no picture";
 }
 
 TEST(Render, AFailedSimulationLeavesNoFileAndSaysWhy) {
@@ -79,8 +117,8 @@ TEST(View, WithoutADisplayDrawsFilesAndReplacesNone) {
     const Outcome outcome = tyg("view curtain --duration 0.02 --size 64x48", bare);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
   }
-  EXPECT_EQ(readPng(folder / "curtain.png").width, 64);
-  EXPECT_EQ(readPng(folder / "curtain-2.png").width, 64);
+  EXPECT_EQ(readPicture(folder / "curtain.png").width, 64);
+  EXPECT_EQ(readPicture(folder / "curtain-2.png").width, 64);
   EXPECT_EQ(folder.fileCount(), 2U);
 }
 

@@ -117,9 +117,31 @@ TEST(SceneErrors, NameWhatWindsAndMotionsLack) {
             (std::vector<Place>{{"", 1, 0}}));
 }
 
+TEST(SceneErrors, NameWhatIsWrongWithTheLookAndItsLamps) {
+  constexpr const char* kColour = "three numbers from 0 to 1, [red, green, blue]";
+  const auto look = [](const std::string& line) { return "[look]\n" + line + "\n[run]"; };
+  const auto lamp = [](const std::string& line) { return "[[lamp]]\n" + line + "\n[run]"; };
+  expectRefusals({
+      {26, look("show = 'line'"), 27, "look.show", "\"line\"", R"("lines", "surface", "both"; did you mean 'lines')"},
+      {26, look("colour = [1, 2, 0]"), 27, "look.colour", "[1, 2, 0]", kColour},
+      {26, look("colour = [1, 0.5]"), 27, "look.colour", "[1, 0.5]", kColour},
+      {26, look("weave = 'plane'"), 27, "look.weave", "\"plane\"", R"("none", "plain", "checker")"},
+      {26, look("image = 'a.gif'"), 27, "look.image", "\"a.gif\"", "the name of a PNG or JPEG file"},
+      {26, look("image = 'a.png'\nweave = 'none'"), 27, "look.image", "an image and a weave", "one of them"},
+      {26, look("color = [1, 0, 0]"), 27, "look.color", "an unknown key", R"("show", "colour", "weave", "image")"},
+      {26, lamp("colour = [1, 1, 1]"), 26, "lamp.direction", "neither direction nor at", "exactly one of them"},
+      {26, lamp("at = [0, 1, 0]\ndirection = [0, -1, 0]"), 27, "lamp.at", "both direction and at", "exactly one"},
+      {26, lamp("direction = [0, 0, 0]"), 27, "lamp.direction", "[0, 0, 0]", "the direction in which the light goes"},
+      {26, lamp("at = [0, 1, 0]\ncolour = [-1, 0, 0]"), 28, "lamp.colour", "[-1, 0, 0]", kColour},
+  });
+  std::string five;
+  for (int k = 0; k < 5; ++k) five += "[[lamp]]\nat = [0, 1, 0]\n";
+  EXPECT_NE(refusalOf(sceneWith(26, five + "[run]")).find("found 5 lamps, allowed 4 at most"), std::string::npos);
+}
+
 TEST(SceneErrors, NameUnknownKeysAndTables) {
   const std::string root =
-      R"("title", "shows", "sheet", "springs", "world", "air", "contact", "wind", "displace", "push", "move", "body", "cut", "tear", "run")";
+      R"("title", "shows", "sheet", "springs", "world", "air", "contact", "wind", "displace", "push", "move", "body", "cut", "tear", "look", "lamp", "run")";
   expectRefusals({
       {2, "show = 'x'", 2, "show", "an unknown key", root},
       {10, "[spring]", 10, "spring", "an unknown table", root},

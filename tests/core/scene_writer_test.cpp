@@ -40,6 +40,27 @@ TEST(SceneWriter, RandomScenesReadBackToTheLastBit) {
   }
 }
 
+TEST(SceneWriter, LooksAndLampsReadBack) {
+  Numbers numbers(2);
+  Scene scene = emptyWorld(2, 2);
+  scene.name = "scenes/of mine/a.toml";
+  for (const Show show : {Show::Lines, Show::Surface, Show::Both}) {
+    for (const Weave weave : {Weave::None, Weave::Plain, Weave::Checker}) {
+      scene.look = {.show = show, .colour = Vec3{0.1 + 0.2, 0, 1}, .weave = weave};
+      scene.lamps = {{.direction = numbers.inCube(1)}, {.at = numbers.inCube(3), .colour = {0.5, 0.25, 1}}};
+      EXPECT_EQ(readBack(scene), scene) << sceneToToml(scene);
+    }
+  }
+}
+
+TEST(SceneWriter, ThePictureOfALookIsBesideItsSceneAndIsFoundFromACopyElsewhere) {
+  const std::string look = "[look]\nimage = 'my cloth.JPG'\n[run]\nduration = 1\nintegrator = 'rk4'\ndt = 0.01\n";
+  const std::string text = "title = 't'\n[sheet]\ncolumns = 2\nrows = 2\nspacing = 1\nparticle_mass = 1\n" + look;
+  const Scene scene = parseScene(text, "far/away/a.toml");
+  EXPECT_EQ(scene.look.image, "far/away/my cloth.JPG");
+  EXPECT_EQ(parseScene(sceneToToml(scene), "copy.toml").look.image, scene.look.image);
+}
+
 TEST(SceneWriter, NumbersThatTomlHoldsAsIntegersOrFloatsComeBack) {
   Scene scene = emptyWorld(2, 2);
   scene.structural = {123456789012345678901.0, std::numeric_limits<double>::denorm_min()};

@@ -38,8 +38,21 @@ TEST(SheetRenderer, ASecondFrameAllocatesNothing) {
     return allocations - before;
   };
   EXPECT_GT(allocationsOfAFrame(), 0) << "lines of families that are shown for the first time";
-  allocationsOfAFrame();  // the driver sets things up of its own
+  allocationsOfAFrame(),
+      allocationsOfAFrame();  // surroundings are kept, then shown; the driver sets things up of its own
   EXPECT_EQ(allocationsOfAFrame(), 0);
+  const Look look{.colour = Vec3{0.5, 0.2, 0.1}, .image = "a picture that is not there, with a long name.png"};
+  options.show = Show::Both;
+  options.look = &look;
+  Sheet cut = sheet;
+  cut.missing = cut.missing.withCut(12, 12, {5.5, -1, 5.5, 6});
+  renderer.follow(cut);
+  for (const Colouring::By by : {Colouring::By::Family, Colouring::By::Particle, Colouring::By::Strain}) {
+    options.colouring.by = by;
+    EXPECT_GT(allocationsOfAFrame(), 0) << "a surface, or a pattern, that is shown for the first time";
+    allocationsOfAFrame();
+    EXPECT_EQ(allocationsOfAFrame(), 0) << int(by);
+  }
 }
 
 }  // namespace

@@ -118,7 +118,7 @@ TEST_P(OffscreenPicture, LooksLikeTheStoredOnes) {
     const Picture picture = drawn(GetParam(), options, push);
     if (std::getenv("TYG_STORE_PICTURES") != nullptr) writePng(picture, folder / file);
     SCOPED_TRACE(file);
-    expectAlike(picture, readPng(folder / file));
+    expectAlike(picture, readPicture(folder / file));
   }
 }
 
@@ -329,7 +329,7 @@ TEST(Picture, ComesBackFromPngAsItWas) {
   const Folder folder;
   const auto path = folder / "picture.png";
   writePng(picture, path);
-  const Picture back = readPng(path);
+  const Picture back = readPicture(path);
   EXPECT_EQ(back.rgba, picture.rgba);
   EXPECT_EQ(back.width, 3);
 }

@@ -117,6 +117,15 @@ TEST(Determinism, AnyNumberOfThreadsGivesTheSameBits) {
   }
 }
 
+TEST(Determinism, TheLookOfAClothIsNoPartOfItsState) {
+  Scene scene = loadScene("tablecloth");
+  scene.look = {};
+  const std::string plain = hashAfter(scene, findMethod("leapfrog"), Precision::Double, {.threads = 1}, kFewSteps);
+  scene.look = {.show = Show::Both, .colour = Vec3{1, 0, 0}, .image = "cloth.png"};
+  scene.lamps = {{.at = Vec3{0, 1, 0}}};
+  EXPECT_EQ(hashAfter(scene, findMethod("leapfrog"), Precision::Double, {.threads = 1}, kFewSteps), plain);
+}
+
 // With a ledger every evaluation is seen by itself; without one, methods that can fuse force, kick and drift.
 TEST(Determinism, FusedPassesGiveTheBitsOfSingleSteps) {
   for (const int columns : {2, 20, 150}) {

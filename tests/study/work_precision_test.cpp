@@ -103,6 +103,16 @@ TEST(WorkPrecision, FloatStopsAtItsFloorAndDoubleGoesOn) {
   EXPECT_FALSE(rowsOf(study, "rk4", Precision::Float, RowStatus::Ok).back().trusted(1)) << "too near its floor";
 }
 
+/// Explicit Euler holds with steps far smaller than those of other methods.
+TEST(WorkPrecision, UntilTwoRunsOfAMethodHaveHeldARunMayTakeSomewhatLonger) {
+  StudyPlan plan = planOf({"explicit-euler"});
+  const std::vector<WorkRow> held =
+      rowsOf(studyOf(smoothSheet(), plan), "explicit-euler", Precision::Double, RowStatus::Ok);
+  ASSERT_FALSE(held.empty());
+  plan.runBudget = held.front().seconds / 2;
+  EXPECT_FALSE(rowsOf(studyOf(smoothSheet(), plan), "explicit-euler", Precision::Double, RowStatus::Ok).empty());
+}
+
 TEST(WorkPrecision, ARunThatTakesTooLongEndsItsLadder) {
   StudyPlan plan = planOf({"symplectic-euler", "rk4"});
   plan.runBudget = 10 * kTick;

@@ -29,7 +29,7 @@ TEST_F(CaptureFilesTest, AKeptRunDoneAgainEndsInTheSameBits) {
   live.useStep(0.001), live.tick(50);
   EventLog log = live.log();
   log.ticks = live.ticks();
-  files_.keep(picture(4, 4), log);
+  files_.keep(picture(4, 4), log.sceneText, log);
 
   const Scene kept = parseScene(contentsOf(folder_ / "tyg-curtain-1.toml"), "kept", methodNames());
   Simulation again(kept, findMethod(kept.integrator), {.threads = 1});
@@ -42,17 +42,17 @@ TEST_F(CaptureFilesTest, NothingIsOverwritten) {
   const Scene scene = loadScene("curtain");
   const Simulation live(scene, findMethod("rk4"), {.threads = 1});
   folder_.write("tyg-curtain-1.mp4", "mine");
-  const std::string said = files_.keep(picture(4, 4), live.log());
+  const std::string said = files_.keep(picture(4, 4), live.log().sceneText, live.log());
   EXPECT_NE(said.find("tyg-curtain-2.png"), std::string::npos) << said;
   EXPECT_EQ(contentsOf(folder_ / "tyg-curtain-1.mp4"), "mine");
-  EXPECT_EQ(readPng(folder_ / "tyg-curtain-2.png").width, 4);
+  EXPECT_EQ(readPicture(folder_ / "tyg-curtain-2.png").width, 4);
 }
 
 TEST_F(CaptureFilesTest, AFolderThatIsGoneIsAnError) {
   const Scene scene = loadScene("curtain");
   const Simulation live(scene, findMethod("rk4"), {.threads = 1});
   std::filesystem::remove_all(folder_.path());
-  EXPECT_THROW(files_.keep(picture(4, 4), live.log()), InputError);
+  EXPECT_THROW(files_.keep(picture(4, 4), live.log().sceneText, live.log()), InputError);
 }
 
 TEST_F(CaptureFilesTest, AMovieKeepsTheRhythmOfTheClockAndEndsWhenTheWindowChangesItsSize) {

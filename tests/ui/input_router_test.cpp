@@ -93,7 +93,7 @@ TEST_F(WindowRouterTest, APressOnAPanelIsThePanels) {
 TEST_F(WindowRouterTest, ThePauseHasATimeLineThatIsDraggedUntilTheRelease) {
   frames();
   EXPECT_EQ(pressAt(640, kTimeLineY), "viewer") << "before the start there is no past";
-  releaseAt(640, kTimeLineY);
+  moveTo(660, kTimeLineY), releaseAt(660, kTimeLineY);
   runForASecond();
   const double newest = viewer_.run().timeline().newest;
   EXPECT_EQ(pressAt(640, kTimeLineY), "time line");
@@ -150,6 +150,52 @@ TEST_F(WindowRouterTest, KeysGoToWhatTheyAreFor) {
   EXPECT_EQ(press('X'), "viewer");
   EXPECT_EQ(press(kEscapeKey), "viewer");
   EXPECT_TRUE(viewer_.leaving());
+}
+
+TEST_F(WindowRouterTest, AClickOnAKeyOfTheListDoesWhatTheKeyDoes) {
+  frames();
+  const auto clickAt = [&](double x, double y) {
+    const std::string_view taken = pressAt(x, y);
+    for (const WindowEvent& key : hud_.takeKeys()) (void)router_.route(key);
+    releaseAt(x, y);
+    for (const WindowEvent& key : hud_.takeKeys()) (void)router_.route(key);
+    return taken;
+  };
+  constexpr double kX = 40, kFirst = 63, kLine = 24.3;  // of text of 18 pixels
+  EXPECT_EQ(clickAt(kX, kFirst), "buttons");
+  EXPECT_EQ(viewer_.run().state(), RunState::Running);
+  clickAt(kX, kFirst + 4 * kLine);
+  EXPECT_TRUE(panels_.isOpen(InputAction::OpenControl));
+  EXPECT_EQ(viewer_.tools().record().uses, 0);
+}
+
+TEST_F(WindowRouterTest, TheLongListOfKeysLiesOverAllAndClosesByEscOrAPress) {
+  frames();
+  press(functionKey(1));
+  frames();
+  ASSERT_TRUE(viewer_.view().showsAllKeys());
+  EXPECT_EQ(press(kEscapeKey), "all keys");
+  EXPECT_FALSE(viewer_.view().showsAllKeys());
+  EXPECT_FALSE(viewer_.leaving());
+  press('?');
+  frames();
+  EXPECT_EQ(pressAt(5, 5), "all keys");
+  EXPECT_FALSE(viewer_.view().showsAllKeys());
+  releaseAt(5, 5);
+  press('?');
+  frames();
+  int chosen = 0;
+  for (double y = 20; y < 700 && chosen == 0; y += 5) {  // some line of the last column chooses a method
+    for (double x = 600; x < 940 && chosen == 0; x += 40) {
+      if (!viewer_.view().showsAllKeys()) press('?'), frames();
+      pressAt(x, y);
+      for (const WindowEvent& key : hud_.takeKeys()) chosen += key.key == '4' ? 1 : 0, (void)router_.route(key);
+      releaseAt(x, y);
+      (void)hud_.takeKeys();
+    }
+  }
+  EXPECT_EQ(chosen, 1);
+  EXPECT_EQ(viewer_.scenes().method().name, "leapfrog");
 }
 
 }  // namespace

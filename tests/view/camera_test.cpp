@@ -39,7 +39,9 @@ TEST(Camera, FramesTheClothInTheFreePartOfAWindow) {
   for (const float aspect : {0.4F, 0.5F * kWide}) {
     Camera camera;
     const float aside = kFree * kWide / 2;  // heights from the window's middle to that of its right half
-    camera.frame(kCloth, aspect, aside);
+    const auto corners = kCloth.corners();
+    camera.watch(kCloth);
+    camera.frame(corners, {.width = aspect, .toTheRight = aside});
     glm::vec2 low(1e9F), high(-1e9F);
     for (const glm::vec3& corner : kCloth.corners()) {
       const glm::vec2 seen(ndc(camera, corner, kWide));
@@ -52,13 +54,47 @@ TEST(Camera, FramesTheClothInTheFreePartOfAWindow) {
   }
 }
 
-TEST(Camera, SlidingMovesWhatIsSeenSideways) {
+TEST(Camera, FramesTheClothAboveWhatTakesTheLowerEdge) {
+  Camera camera;
+  const auto corners = kCloth.corners();
+  camera.watch(kCloth);
+  camera.frame(corners, {.width = 1.5F, .height = 0.5F, .above = 0.25F});
+  glm::vec2 low(1e9F), high(-1e9F);
+  for (const glm::vec3& corner : corners) {
+    const glm::vec2 seen(ndc(camera, corner, 1.5F));
+    low = glm::min(low, seen), high = glm::max(high, seen);
+  }
+  EXPECT_GT(low.y, 0);
+  EXPECT_LT(high.y, 1);
+  EXPECT_GT(high.y - low.y, 0.7F) << "the view wastes room";
+}
+
+TEST(Camera, SlidingMovesWhatIsSeenSidewaysAndUp) {
   Camera camera;
   camera.frame(kCloth, 1);
   const float distance = camera.distance();
-  camera.slide(0.25F);  // of the height
+  camera.slide(0.25F, 0);  // of the height
   EXPECT_NEAR(ndc(camera, kCloth.centre(), 1).x, 0.5F, 0.05F);
   EXPECT_NEAR(camera.distance(), distance, 0.05F * distance);
+  const float high = ndc(camera, kCloth.centre(), 1).y;
+  camera.slide(0, -0.1F);
+  EXPECT_NEAR(ndc(camera, kCloth.centre(), 1).y, high - 0.2F, 0.05F);
+}
+
+TEST(Camera, OrbitingKeepsTheClothWhereItIsSeenAndAsFarAway) {
+  Camera camera;
+  camera.frame(kCloth, 1);
+  camera.slide(0.2F, 0.1F);
+  const glm::vec3 before = ndc(camera, kCloth.centre(), 1), eye = camera.eye();
+  const float distance = camera.distance(), yaw = camera.yaw(), pitch = camera.pitch();
+  camera.orbit(100, -30);
+  EXPECT_GT(camera.yaw(), yaw + 0.5F) << "to the right the cloth turns with the mouse";
+  EXPECT_GT(camera.pitch(), pitch);
+  EXPECT_GT(glm::distance(camera.eye(), eye), 0.3F * distance);
+  EXPECT_NEAR(camera.distance(), distance, 1e-4F * distance);
+  const glm::vec3 after = ndc(camera, kCloth.centre(), 1);
+  EXPECT_NEAR(after.x, before.x, 1e-4F);
+  EXPECT_NEAR(after.y, before.y, 1e-4F);
 }
 
 TEST(Camera, FramingKeepsTheDirection) {

@@ -32,6 +32,12 @@ TEST(FrameClock, GivesTheSameTicksAtThirtySixtyAndOneHundredFortyFourFrames) {
   }
 }
 
+TEST(FrameClock, FiveFramesASecondLoseNoTime) {
+  FrameClock clock(0.001);
+  EXPECT_EQ(ticksAfter(clock, 5, 10), 10000);
+  EXPECT_FALSE(clock.behind());
+}
+
 TEST(FrameClock, SlowMotionRunsAQuarterOfTheTicks) {
   FrameClock clock(0.001);
   clock.setSpeed(0.25);
@@ -41,8 +47,8 @@ TEST(FrameClock, SlowMotionRunsAQuarterOfTheTicks) {
 
 TEST(FrameClock, DropsTimeAfterALongPause) {
   FrameClock clock(0.001);
-  EXPECT_EQ(clock.due(30), 100);
-  clock.ran(100);
+  EXPECT_EQ(clock.due(30), 250);
+  clock.ran(250);
   EXPECT_EQ(clock.due(0.010), 10) << "the pause must not be caught up later";
 }
 

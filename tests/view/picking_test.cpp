@@ -76,6 +76,26 @@ TEST(Picking, AClickBesideTheClothFindsNothingBeyondTheRadius) {
   EXPECT_EQ(pickParticle(camera, corner + 30.0F * outward, kWindow, sheet, xyz), std::nullopt);
 }
 
+TEST(Picking, AMissByAFewPixelsBesideAnEdgeFindsTheNearerEndOfTheSpringThere) {
+  const Sheet sheet = sheetOf(4, 4);
+  const std::vector<float> xyz = startOf(sheet);
+  const Camera camera = cameraOn(xyz);
+  const glm::vec2 left = pixelOf(camera, xyz, 4), below = pixelOf(camera, xyz, 8);  // of the left edge
+  const glm::vec2 out = glm::normalize(left - pixelOf(camera, xyz, 5));
+  ASSERT_GT(glm::distance(left, below), 5 * kPickRadius);
+  for (const float share : {0.4F, 0.6F}) {
+    const glm::vec2 near = glm::mix(left, below, share) + 0.6F * kPickRadius * out;
+    EXPECT_EQ(pickParticle(camera, near, kWindow, sheet, xyz), share < 0.5F ? 4 : 8);
+    const glm::vec2 far = glm::mix(left, below, share) + 1.5F * kPickRadius * out;
+    EXPECT_EQ(pickParticle(camera, far, kWindow, sheet, xyz), std::nullopt);
+  }
+  Sheet cut = sheet;
+  cut.missing = cut.missing.withCut(4, 4, {-1, 1.5, 4, 1.5});
+  EXPECT_EQ(pickParticle(camera, glm::mix(left, below, 0.4F) + 0.6F * kPickRadius * out, kWindow, cut, xyz),
+            std::nullopt)
+      << "there is no spring any more";
+}
+
 TEST(Picking, FindsNothingBetweenTwoPartsOfACutCloth) {
   Sheet sheet = sheetOf(10, 10);
   std::vector<float> xyz = startOf(sheet);

@@ -34,8 +34,7 @@ TEST(ChartAdvice, TellsWhatIsCheaperAndWhatIsCloser) {
   const std::vector<WorkRow> rows{row("rk4", 0.002, 1e-5, 0.02), row("leapfrog", 0.002, 1e-5, 0.005),
                                   row("rk4", 0.0025, 1e-7, 0.02)};
   const ChartAdvice advice = adviceOn(rows, {&findMethod("rk4"), 0.002, 0}, kScale);
-  EXPECT_TRUE(
-      says(advice.better, "Cheaper and at least as accurate: leapfrog, step 2 ms, at 2.5 ms, 4.0 times cheaper."))
+  EXPECT_TRUE(says(advice.better, "Faster and at least as accurate: leapfrog, step 2 ms, at 2.5 ms, 4.0 times faster."))
       << advice.better;
   EXPECT_TRUE(
       says(advice.better, "More accurate at no greater cost: rk4, step 2.5 ms, error 0.0001 mm, 100 times smaller."))
@@ -45,8 +44,10 @@ TEST(ChartAdvice, TellsWhatIsCheaperAndWhatIsCloser) {
 TEST(ChartAdvice, SaysWhatFailsAndWhatIsNotMeasured) {
   WorkRow failed = row("rk4", 0.01, 0, 0);
   failed.status = RowStatus::NotFinite;
-  EXPECT_TRUE(says(adviceOn({failed}, {&findMethod("rk4"), 0.02, 0}, kScale).present, "fails"));
+  EXPECT_TRUE(says(adviceOn({failed}, {&findMethod("rk4"), 0.02, 0}, kScale).present, "unstable"));
   EXPECT_TRUE(says(adviceOn({}, {&findMethod("rk4"), 0.02, 0}, kScale).present, "not measured yet"));
+  EXPECT_FALSE(says(adviceOn({}, {&findMethod("rk4"), 0.02, 0}, kScale, true).present, "not measured"))
+      << "nothing more is to come";
 }
 
 TEST(ChartAdvice, TellsTheToleranceOfAnAdaptiveMethod) {

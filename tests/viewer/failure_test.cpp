@@ -7,6 +7,7 @@
 
 #include "core/simulation/live_parameters.h"
 #include "study/limits/stability.h"
+#include "viewer/edits.h"
 #include "viewer/viewer_fixture.h"
 
 namespace tyg {
@@ -55,6 +56,47 @@ TEST_F(WildViewerTest, AFrozenClothStaysFrozenUntilRestartedWithTheChosenMethod)
   EXPECT_EQ(viewer_.run().simulation().status(), Status::Ok);
 }
 
+TEST_F(WildViewerTest, SpaceWhileFrozenSaysWhatItWouldDo) {
+  runUntilFrozen();
+  tap(' ');
+  EXPECT_EQ(viewer_.run().state(), RunState::Frozen);
+  EXPECT_NE(viewer_.notes().text().find("into the failure"), std::string::npos) << viewer_.notes().text();
+}
+
+TEST_F(WildViewerTest, TheSameFailureIsToldAlikeHoweverItIsReached) {
+  runUntilFrozen();
+  const std::string told = viewer_.run().failure().message();
+  for (const KeyCode way : {'J', ','}) {
+    tap(way);
+    frames(2);
+    for (int frame = 0; frame < 3000 && viewer_.run().state() != RunState::Frozen; ++frame) {
+      if (way == ',' || viewer_.run().state() == RunState::Paused) tap('.');
+      frames(1);
+    }
+    EXPECT_EQ(viewer_.run().failure().message(), told) << way;
+  }
+}
+
+TEST_F(WildViewerTest, AnUndoThatMendsTheStepGoesOnFromBeforeTheFailure) {
+  Edits edits(viewer_);
+  Scene wanted = viewer_.scenes().scene();
+  wanted.dt = 0.002;
+  viewer_.scenes().use(wanted);
+  edits.follow(viewer_);
+  tap(' '), frames(60);
+  wanted.dt = 0.05;
+  viewer_.scenes().use(wanted);
+  edits.follow(viewer_);
+  for (int frame = 0; frame < 600 && viewer_.run().state() == RunState::Running; ++frame) frames(1);
+  ASSERT_EQ(viewer_.run().state(), RunState::Frozen);
+  const double broke = viewer_.run().failure().alarmTime();
+  edits.undo(viewer_);
+  frames(120);
+  EXPECT_EQ(viewer_.run().state(), RunState::Running) << viewer_.run().failure().message();
+  EXPECT_EQ(viewer_.run().simulation().dt(), 0.002);
+  EXPECT_GT(viewer_.run().simulation().time(), broke);
+}
+
 TEST_F(WildViewerTest, TheMessageNamesTheLimitAndTheWaysOut) {
   runUntilFrozen();
   ASSERT_TRUE(viewer_.run().failure().cure());
@@ -93,14 +135,59 @@ TEST_F(WildViewerTest, RunsOnPastItsAlarmWhenToldToAndComesBack) {
   tap(kEnterKey);
   frames(5);
   EXPECT_GT(viewer_.run().simulation().time(), then);
+  EXPECT_TRUE(viewer_.run().showsBreaking());
   for (int frame = 0; frame < 2000 && viewer_.run().state() == RunState::Running; ++frame) frames(1);
-  EXPECT_EQ(viewer_.run().state(), RunState::Frozen);  // out of the range of the numbers
+  EXPECT_EQ(viewer_.run().state(), RunState::Frozen) << "it is many times as large as its sheet";
   tap(kEnterKey);
   EXPECT_EQ(viewer_.run().state(), RunState::Frozen);
   tap('V');
   EXPECT_LE(viewer_.run().shown().time(), then);
   frames(60);
   EXPECT_EQ(viewer_.run().state(), RunState::Running);
+}
+
+/// Just past its limit, where an instability takes a while to grow.
+class BreakingViewerTest : public ViewerTest {
+ protected:
+  static Scene breaking() {
+    Scene scene = curtain();
+    scene.dt = 0.0046;
+    return scene;
+  }
+  BreakingViewerTest() : ViewerTest(breaking()) {}
+  void runUntilFrozen() {
+    for (int frame = 0; frame < 3000 && viewer_.run().state() == RunState::Running; ++frame) frames(1);
+  }
+};
+
+TEST_F(BreakingViewerTest, LettingItBreakIsSlowIsFollowedByTheCameraAndEndsWithTheWaysOut) {
+  tap(' ');
+  runUntilFrozen();
+  ASSERT_EQ(viewer_.run().state(), RunState::Frozen);
+  ASSERT_TRUE(viewer_.run().failure().motion());
+  EXPECT_EQ(viewer_.run().failure().motion()->name, "stripes");
+  EXPECT_FALSE(viewer_.run().showsBreaking()) << "the last good frame is shown";
+  tap(kEnterKey);
+  EXPECT_LT(viewer_.run().frameClock().speed(), 0.2);
+  const double began = now_;
+  frames(30);
+  EXPECT_TRUE(viewer_.run().showsBreaking());
+  EXPECT_GT(viewer_.run().breaking().size(), 2U);
+  runUntilFrozen();
+  EXPECT_EQ(viewer_.run().state(), RunState::Frozen);
+  EXPECT_GT(now_ - began, 3) << "s, of the clock";
+  EXPECT_TRUE(viewer_.run().failure().cure());
+  for (const glm::vec3& corner : viewer_.run().shown().box().corners()) {
+    const glm::vec4 clip =
+        viewer_.view().camera().projection(1280.0F / 720) * viewer_.view().camera().view() * glm::vec4(corner, 1);
+    EXPECT_LT(std::abs(clip.x / clip.w), 1.05F);
+    EXPECT_LT(std::abs(clip.y / clip.w), 1.05F);
+  }
+  tap('V');
+  frames(120);
+  EXPECT_EQ(viewer_.run().state(), RunState::Running);
+  EXPECT_EQ(viewer_.run().frameClock().speed(), 1);
+  EXPECT_FALSE(viewer_.run().showsBreaking());
 }
 
 TEST_F(WildViewerTest, AFrozenClothStepsBackAndOnAgain) {

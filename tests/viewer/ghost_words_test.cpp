@@ -45,7 +45,7 @@ TEST(GhostWords, TellCatchingUpFromBeingTooSlow) {
   live.tick(1000);
   ghost.follow(live, 0.05, slowMachine);
   EXPECT_TRUE(says(progressWords(ghost), "catching up: at 0.01 s of 1.00 s")) << progressWords(ghost).text;
-  EXPECT_TRUE(says(distanceWords(ghost), "not met yet"));
+  EXPECT_TRUE(says(distanceWords(ghost), "not ready yet"));
   for (int frame = 0; frame < 30; ++frame) live.tick(100), ghost.follow(live, 0.05, slowMachine);
   EXPECT_TRUE(says(progressWords(ghost), "cannot compute both")) << progressWords(ghost).text;
   ghost.follow(live, 1e9, stillClock);

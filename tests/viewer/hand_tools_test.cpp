@@ -11,7 +11,7 @@
 namespace tyg {
 namespace {
 
-constexpr KeyCode kHand = kFirstFunctionKey, kPin = kFirstFunctionKey + 1, kCut = kFirstFunctionKey + 2;
+constexpr KeyCode kHand = functionKey(2), kPin = functionKey(3), kCut = functionKey(4);
 
 template <class Kind>
 int countOf(const EventLog& log) {
@@ -114,6 +114,17 @@ TEST_F(HandToolsTest, AHandIsNeverFasterThanAFewSheetsPerSecondAndBreaksNoCloth)
   }
 }
 
+TEST_F(HandToolsTest, ADragOnAWaitingClothGrabsItAndStartsIt) {
+  grabMiddle({60, 0});
+  frames(60);
+  EXPECT_EQ(viewer_.run().state(), RunState::Running);
+  EXPECT_EQ(viewer_.logLine().held, 210);
+  release(kLeftButton);
+  frames(10);
+  EXPECT_EQ(countOf<GrabEvent>(viewer_.run().record()) > 0, true);
+  expectReplays();
+}
+
 TEST_F(HandToolsTest, AGrabOfAPausedClothWaitsUntilTimePasses) {
   tap(' '), frames(30), tap(' ');
   grabMiddle({60, 0});
@@ -156,7 +167,7 @@ TEST_F(HandToolsTest, APastThatEndsAmidAGrabGoesOnWithoutTheHand) {
 }
 
 TEST_F(HandToolsTest, AClickWithThePinPinsWhereItIsAndAnotherFrees) {
-  tap(' '), frames(30);
+  tap(' '), frames(60);
   tap(kPin);
   clickOnCloth();
   EXPECT_TRUE(pinned(210));
@@ -169,7 +180,7 @@ TEST_F(HandToolsTest, AClickWithThePinPinsWhereItIsAndAnotherFrees) {
   frames(30);
   EXPECT_GT(glm::distance(placeOf(210), there), 1);
   expectReplays();
-  press(kLeftButton, 5, 700);
+  pressAt({5, 700}), release(kLeftButton);
   EXPECT_FALSE(viewer_.notes().text().empty()) << "beside the cloth there is nothing to pin";
   EXPECT_EQ(countOf<PinEvent>(viewer_.run().record()), 2);
 }

@@ -8,6 +8,8 @@
 #include <set>
 #include <string>
 
+#include "viewer/tool.h"
+
 namespace tyg {
 namespace {
 
@@ -48,7 +50,7 @@ TEST(InputTable, NumberKeysChooseMethodsInOrder) {
 
 TEST(InputTable, HelpNamesEveryKeyButThoseOfferedElsewhereAndOfMissingMethods) {
   std::string help;
-  for (const HelpLine& line : helpLines(kThreeMethods)) help += line.keys + " ";
+  for (const HelpLine& line : helpLines(kThreeMethods)) help += line.keys() + " ";
   for (const Input& input : inputTable()) {
     const bool missing = input.action == InputAction::ChooseMethod && methodSlot(input.key) >= kThreeMethods.size();
     const bool named = (" " + help).find(" " + std::string(input.keyName) + " ") != std::string::npos;
@@ -60,20 +62,33 @@ TEST(InputTable, HelpShowsKeysThatBelongTogetherOnOneLine) {
   const auto lines = helpLines(kThreeMethods);
   EXPECT_EQ(std::ranges::count(lines, "W A S D", &HelpLine::keys), 1);
   EXPECT_EQ(std::ranges::count(lines, "Q E", &HelpLine::keys), 1);
+  EXPECT_EQ(std::ranges::count(lines, "arrows", &HelpLine::keys), 1);
+  EXPECT_EQ(std::ranges::count(lines, "F2 F3 F4", &HelpLine::keys), 1);
 }
 
-TEST(InputTable, TheKeyThatShowsTheKeysIsTheLastToGo) {
+TEST(InputTable, TheShortListHasTenLinesAndTheKeyThatShowsAllKeysIsTheLastToGo) {
   const auto lines = helpLines(kThreeMethods);
-  const auto all = linesThatFit(lines, false, 100);
-  EXPECT_EQ(all.back()->action, InputAction::Leave);
+  const auto all = firstLines(lines, 100);
+  ASSERT_EQ(all.size(), 10U);
   for (std::size_t room = 1; room < all.size(); ++room) {
-    const auto some = linesThatFit(lines, false, room);
+    const auto some = firstLines(lines, room);
     ASSERT_EQ(some.size(), room);
-    EXPECT_EQ(some.back()->action, InputAction::ShowHelp) << room;
+    EXPECT_EQ(some.back()->action(), InputAction::ShowAllKeys) << room;
     for (std::size_t k = 0; k + 1 < room; ++k) EXPECT_EQ(some[k], all[k]) << room;
   }
-  EXPECT_TRUE(linesThatFit(lines, false, 0).empty());
-  EXPECT_EQ(linesThatFit(lines, true, 4).back()->action, InputAction::ShowStructural);
+  EXPECT_TRUE(firstLines(lines, 0).empty());
+}
+
+TEST(InputTable, EveryToolHasTheFunctionKeyOfItsPlaceInItsTable) {
+  EXPECT_EQ(findInput(functionKey(1))->action, InputAction::ShowAllKeys) << "F1 is help, as everywhere";
+  EXPECT_EQ(findInput('?')->action, InputAction::ShowAllKeys);
+  for (std::size_t slot = 0; slot < toolTable().size(); ++slot) {
+    const KeyCode key = functionKey(static_cast<int>(slot) + 2);
+    ASSERT_NE(findInput(key), nullptr);
+    EXPECT_EQ(findInput(key)->action, InputAction::ChooseTool);
+    EXPECT_EQ(findInput(key)->keyName, toolKeyName(slot));
+    EXPECT_EQ(toolSlot(key), slot);
+  }
 }
 
 TEST(InputTable, HelpNamesTheMethodsByTheirNumbers) {

@@ -37,5 +37,38 @@ TEST(PaceMeter, LeavesOutAFrameAfterARest) {
   EXPECT_NEAR(meter.pace().framesPerSecond, 60, 60 * kRounding);
 }
 
+/// What is slow after a second of such frames, of which so much went into simulating, s.
+Pace::Slow slowOf(PaceMeter& meter, double frame, double simulating) {
+  const FrameClock clock(0.002);
+  for (double time = 0; time < 1.5; time += frame) meter.measure(frame, simulating, clock);
+  return meter.pace().slow;
+}
+
+TEST(PaceMeter, SaysWhetherDrawingOrSimulatingMakesFramesLate) {
+  PaceMeter meter;
+  EXPECT_EQ(slowOf(meter, kFrame, 0.9 * kFrame), Pace::Slow::Nothing) << "all in time";
+  EXPECT_EQ(slowOf(meter, 0.1, 0.01), Pace::Slow::Drawing);
+  EXPECT_EQ(slowOf(meter, 0.1, 0.09), Pace::Slow::Simulating);
+  EXPECT_EQ(slowOf(meter, kFrame, 0.01), Pace::Slow::Nothing);
+}
+
+TEST(PaceMeter, DoesNotFlutterWhereFramesAreJustInTime) {
+  PaceMeter meter;
+  EXPECT_EQ(slowOf(meter, 1 / 21.5, 0), Pace::Slow::Nothing);
+  EXPECT_EQ(slowOf(meter, 1 / 15.0, 0), Pace::Slow::Drawing);
+  EXPECT_EQ(slowOf(meter, 1 / 21.5, 0), Pace::Slow::Drawing) << "until they are clearly in time";
+  EXPECT_EQ(slowOf(meter, 1 / 30.0, 0), Pace::Slow::Nothing);
+}
+
+TEST(PaceMeter, SaysThatSimulatingIsSlowWhereTimeFallsBehindAtQuickFrames) {
+  FrameClock clock(0.0001);
+  PaceMeter meter;
+  for (int frame = 0; frame < 120; ++frame) {
+    clock.ran(clock.due(kFrame) / 3);
+    meter.measure(kFrame, 0.7 * kFrame, clock);
+  }
+  EXPECT_EQ(meter.pace().slow, Pace::Slow::Simulating);
+}
+
 }  // namespace
 }  // namespace tyg

@@ -133,8 +133,13 @@ TEST_F(ViewerTest, ARestartSurvivesARecordThatCannotBeKept) {
   EXPECT_EQ(viewer_.run().shown().time(), 0);
   EXPECT_EQ(viewer_.notes().text(), "the disk is full");
   EXPECT_TRUE(viewer_.notes().warns());
-  viewer_.notes().say("curtain.toml is kept.");
+  viewer_.notes().say("saved to curtain.toml", now_ + Notes::kFiles);
   EXPECT_FALSE(viewer_.notes().warns());
+  tap('.');
+  EXPECT_FALSE(viewer_.notes().text().empty()) << "where a file is stays long enough to be read";
+  now_ += Notes::kFiles;
+  tap('.');
+  EXPECT_TRUE(viewer_.notes().text().empty());
 }
 
 /// Starts nearly as it will hang, and loses all motion within seconds.
@@ -252,7 +257,7 @@ TEST_F(StallingViewerTest, NoFrameWaitsForATickThatDoesNotEnd) {
   tap(' ');
   frames(3, 0.5);
   EXPECT_EQ(viewer_.run().state(), RunState::Frozen);
-  EXPECT_NE(viewer_.run().failure().message().find("dopri54 stopped at 0.000 s"), std::string::npos)
+  EXPECT_NE(viewer_.run().failure().message().find("dopri54 stalled at 0.000 s"), std::string::npos)
       << viewer_.run().failure().message();
   EXPECT_EQ(ticks(), 0);
   look_ = 0;

@@ -21,13 +21,49 @@ TEST_F(ViewerTest, AClickPushesTheParticleUnderTheCursorAwayFromTheEye) {
   EXPECT_EQ(viewer_.logLine().picked, 210);
 }
 
-TEST_F(ViewerTest, AClickThatMissesPushesTheMiddleParticleAlongZ) {
+TEST_F(ViewerTest, AClickStartsAWaitingCloth) {
+  clickOnCloth();
+  EXPECT_EQ(viewer_.run().state(), RunState::Running);
+  frames(30);
+  EXPECT_GT(viewer_.run().simulation().time(), 0.1);
+}
+
+TEST_F(ViewerTest, AClickFarFromTheClothPushesTheMiddleParticleAlongZAndSaysSo) {
   press(kLeftButton, 5, 700), release(kLeftButton);
   ASSERT_TRUE(viewer_.tools().drawing().arrow);
   EXPECT_EQ(viewer_.tools().drawing().arrow->particle, 210);
   EXPECT_EQ(viewer_.tools().drawing().arrow->force.x, 0);
   EXPECT_EQ(viewer_.tools().drawing().arrow->force.y, 0);
   EXPECT_GT(viewer_.tools().drawing().arrow->force.z, 0);
+  EXPECT_FALSE(viewer_.notes().text().empty());
+  EXPECT_EQ(viewer_.run().state(), RunState::Running);
+}
+
+TEST_F(ViewerTest, AMissByAFewPixelsPushesTheEdgeAndOneByMorePushesNothing) {
+  const glm::dvec2 edge = (placeOf(380) + placeOf(381)) / 2.0;  // of the side that is nearest to the eye
+  const glm::dvec2 out = glm::normalize(edge - placeOf(360));
+  pressAt(edge + 30.0 * out), release(kLeftButton);
+  EXPECT_EQ(viewer_.tools().record().uses, 0);
+  EXPECT_FALSE(viewer_.notes().text().empty());
+  EXPECT_EQ(viewer_.run().state(), RunState::Waiting);
+  pressAt(edge + 7.0 * out), release(kLeftButton);
+  EXPECT_EQ(viewer_.logLine().pushes, 1);
+  EXPECT_TRUE(viewer_.logLine().picked == 380 || viewer_.logLine().picked == 381) << viewer_.logLine().picked;
+}
+
+TEST_F(ViewerTest, AClickFarFromTheClothPushesNothingWhereSomethingElseIsMeant) {
+  press(kLeftButton, 5, 700);
+  frames(60);
+  release(kLeftButton);
+  EXPECT_EQ(viewer_.tools().record().uses, 0) << "held for a second, it is no click";
+  press(kLeftButton, 5, 700);
+  viewer_.handle({.kind = Kind::Move, .x = 25, .y = 700});
+  release(kLeftButton);
+  EXPECT_EQ(viewer_.tools().record().uses, 0) << "a drag";
+  viewer_.run().intervene().cut({-1, 5.5, 20, 5.5});
+  press(kLeftButton, 5, 700), release(kLeftButton);
+  EXPECT_EQ(viewer_.tools().record().uses, 0) << "the middle is of a piece that is cut off";
+  EXPECT_FALSE(viewer_.notes().text().empty());
 }
 
 TEST_F(ViewerTest, AClickPushesForATenthOfASecondInWholeTicks) {
@@ -103,9 +139,9 @@ TEST_F(ViewerTest, AToolIsChosenByItsNameOrKeyAndTheOneBeforeLetsGo) {
   frames(30);
   EXPECT_LE(viewer_.run().record().events.size(), 2U) << "the button is still down, but not for this tool";
   EXPECT_TRUE(viewer_.tools().record().uses == 1 && viewer_.tools().record().picked == 210);
-  tap(kFirstFunctionKey + 2);
+  tap(functionKey(4));
   EXPECT_EQ(viewer_.logLine().tool, "cut");
-  tap(kFirstFunctionKey);
+  tap(functionKey(2));
   EXPECT_EQ(viewer_.logLine().tool, "hand");
 }
 

@@ -53,6 +53,44 @@ TEST_F(ViewerTest, TheWheelGoesNearer) {
   EXPECT_LT(viewer_.view().camera().distance(), before);
 }
 
+TEST_F(ViewerTest, OneKeyGoesThroughLinesSurfaceAndBoth) {
+  const auto shown = [this] { return viewer_.view().drawOptions().show; };
+  EXPECT_EQ(shown(), Show::Lines) << "where the scene wishes nothing";
+  for (const Show next : {Show::Surface, Show::Both, Show::Lines}) {
+    tap(functionKey(6));
+    EXPECT_EQ(shown(), next);
+  }
+}
+
+TEST_F(ViewerTest, AskingForLinesOnASurfaceShowsBoth) {
+  tap(functionKey(6));
+  tap('X');
+  EXPECT_EQ(viewer_.view().drawOptions().show, Show::Both);
+  EXPECT_TRUE(viewer_.view().drawOptions().shear);
+  tap('X');
+  EXPECT_FALSE(viewer_.view().drawOptions().shear);
+  EXPECT_EQ(viewer_.view().drawOptions().show, Show::Both);
+}
+
+TEST_F(ViewerTest, ASceneIsShownAsItWishesUntilThePersonChooses) {
+  const auto shown = [this] { return viewer_.view().drawOptions().show; };
+  const auto open = [this](Show wish) {
+    Scene scene = curtain();
+    scene.look.show = wish;
+    viewer_.scenes().use(scene);
+  };
+  for (const Show wish : {Show::Both, Show::Surface, Show::Lines}) {
+    open(wish);
+    EXPECT_EQ(shown(), wish);
+  }
+  tap(functionKey(6));
+  EXPECT_EQ(shown(), Show::Surface);
+  open(Show::Both);
+  EXPECT_EQ(shown(), Show::Surface) << "remembered";
+  tap('R');
+  EXPECT_EQ(shown(), Show::Surface);
+}
+
 TEST_F(ViewerTest, FBringsALostClothBack) {
   press(kRightButton, 0, 300);
   const auto lost = [this] {
@@ -129,14 +167,82 @@ TEST(ViewControl, FramesTheClothWhenTheWindowFirstHasASize) {
   EXPECT_NE(view.camera().eye(), before);
 }
 
-TEST(ViewControl, FramesWhereAClothWillGetToOnlyBeforeItHasMoved) {
+TEST(ViewControl, ShowsAWaitingClothLargeAndGlidesToWhereItWillGetToOnceItMoves) {
   ViewControl view = viewOfASquare();
   view.begin({{-5, -5, 0}, {5, 5, 0}});
   view.resize(kWindow, {});
-  const float wide = view.camera().distance();
+  const float near = view.camera().distance();
   view.follow(kSquare, {}, true);
+  ASSERT_TRUE(view.glides());
+  view.move({}, 0.1F);
+  EXPECT_LT(view.camera().distance(), 1.5F * near) << "not at once";
+  for (int frame = 0; frame < 100; ++frame) view.move({}, 0.02F);
+  EXPECT_FALSE(view.glides());
+  EXPECT_GT(view.camera().distance(), 2 * near);
   view.frameCloth();
-  EXPECT_LT(view.camera().distance(), 0.5F * wide);
+  EXPECT_NEAR(view.camera().distance(), near, 1e-3F * near);
+}
+
+TEST(ViewControl, GlidesNowhereOnceThePersonHasMovedTheCamera) {
+  for (const bool before : {true, false}) {
+    ViewControl view = viewOfASquare();
+    view.begin({{-5, -5, 0}, {5, 5, 0}});
+    view.resize(kWindow, {});
+    if (before) view.orbit({30, 0});
+    view.follow(kSquare, {}, true);
+    if (!before) view.orbit({30, 0});
+    EXPECT_FALSE(view.glides()) << before;
+    const glm::vec3 eye = view.camera().eye();
+    view.move({}, 0.5F);
+    EXPECT_EQ(view.camera().eye(), eye) << before;
+  }
+}
+
+TEST(ViewControl, KeepsTheClothAboveWhatTakesTheLowerEdge) {
+  ViewControl view = viewOfASquare();
+  constexpr int kTaken = 360;  // pixels, half of the window
+  view.resize(kWindow, {.bottom = kTaken});
+  const auto lowest = [&] {
+    float y = 1;
+    for (const glm::vec3& corner : kSquare.corners()) {
+      const glm::vec4 clip = view.camera().projection(16.0F / 9) * view.camera().view() * glm::vec4(corner, 1);
+      y = std::min(y, clip.y / clip.w);
+    }
+    return y;
+  };
+  EXPECT_GT(lowest(), 0);
+  view.resize(kWindow, {});
+  EXPECT_LT(lowest(), -0.5F);
+  view.approach(0.1F);
+  view.resize(kWindow, {.bottom = kTaken});
+  EXPECT_GT(lowest(), -0.5F) << "a view of the person's own slides up";
+}
+
+TEST_F(ViewerTest, TheArrowKeysLookAround) {
+  const float yaw = viewer_.view().camera().yaw(), pitch = viewer_.view().camera().pitch();
+  press(kRightKey), press(kUpKey);
+  frames(10);
+  release(kRightKey), release(kUpKey);
+  EXPECT_GT(viewer_.view().camera().yaw(), yaw);
+  EXPECT_GT(viewer_.view().camera().pitch(), pitch);
+}
+
+TEST_F(ViewerTest, ADragBesideTheClothOrbitsAroundItWithEveryToolThatNeedsCloth) {
+  for (const auto& [key, orbits] : {std::pair{functionKey(2), true}, {functionKey(3), true}, {functionKey(4), false}}) {
+    tap(key);
+    const glm::vec3 eye = viewer_.view().camera().eye();
+    press(kLeftButton, 250, 620);
+    viewer_.handle({.kind = Kind::Move, .x = 300, .y = 640});
+    viewer_.handle({.kind = Kind::Move, .x = 400, .y = 660});
+    EXPECT_EQ(viewer_.view().camera().eye() != eye, orbits);
+    viewer_.handle({.kind = Kind::FocusLost});
+    const glm::vec3 after = viewer_.view().camera().eye();
+    viewer_.handle({.kind = Kind::Move, .x = 500, .y = 660});
+    EXPECT_EQ(viewer_.view().camera().eye(), after);
+  }
+  EXPECT_EQ(viewer_.tools().record().uses, 0);
+  EXPECT_EQ(viewer_.run().state(), RunState::Waiting);
+  EXPECT_TRUE(viewer_.run().record().events.empty());
 }
 
 TEST(ViewControl, FramesTheBodiesNearToAClothThatHasMoved) {

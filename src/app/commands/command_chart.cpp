@@ -42,7 +42,7 @@ constexpr const char* kExamples =
     R"(Every method runs with large to small steps or tolerances (so --dt and --tolerance are not used),
 in float and in double. A method is done when its error cannot or need not become smaller, or when
 one run takes more than a second (a tenth of a second with --quick). Runs that fail stay in rows.csv
-with their status; on the chart they are crosses at the upper edge. Ctrl-C keeps the rows so far.
+with their status; on the chart they are marks with a cross at the upper edge. Ctrl-C keeps the rows so far.
 
 Examples:
   tyg chart curtain                                  all methods, up to three minutes

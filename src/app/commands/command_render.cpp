@@ -24,6 +24,7 @@ struct RenderOptions {
   std::string size = "1280x720";
   std::optional<std::string> out;
   bool light = false;
+  LookOptions look;
 };
 
 constexpr const char* kExamples =
@@ -66,6 +67,7 @@ std::vector<double> chosenTimes(const Scene& scene, const RenderOptions& options
 int renderChosen(const RenderOptions& options) {
   const Scene scene = chosenScene(options.scene);
   RenderRequest request;
+  request.show = chosenShow(options.look, scene);
   request.times = chosenTimes(scene, options);
   request.fps = options.fps.value_or(request.fps);
   const auto [width, height] = parsePair(options.size);
@@ -100,6 +102,7 @@ void addRenderCommand(CLI::App& app, Action& action) {
   command.option("--out", options->out, "FILE.png, FILE.mp4, FILE.gif or a folder [SCENE.png, or the folder SCENE]")
       .typeName("PATH");
   command.flag("--light", options->light, "A light background");
+  addLookOption(command, options->look);
   command.footer(kExamples);
   command.onChosen([options, &action] { action = [options] { return renderChosen(*options); }; });
 }

@@ -12,6 +12,7 @@
 #include "app/output/progress.h"
 #include "app/output/sample_file.h"
 #include "app/reports/run_report.h"
+#include "core/simulation/replay.h"
 #include "study/limits/stability.h"
 #include "tyg/methods.h"
 #include "util/interrupt.h"
@@ -54,14 +55,6 @@ void mustAgree(const char* option, const std::optional<T>& given, const T& logge
                    "; allowed is that, or to leave the option out");
 }
 
-/// The scene that a log carries, or else the one that it names.
-Scene loggedScene(const EventLog& log) {
-  if (log.sceneText.empty()) return loadScene(log.scene, methodNames());
-  Scene scene = parseScene(log.sceneText, "the scene in the log", methodNames());
-  scene.name = log.scene;
-  return scene;
-}
-
 /// Whether two scenes differ in nothing that the log does not say itself.
 bool sameCloth(Scene scene, const Scene& other) {
   scene.name = other.name, scene.title = other.title, scene.shows = other.shows;
@@ -79,7 +72,7 @@ Scene fitted(Scene scene, const SceneOptions& options, const EventLog& log) {
                      scene.name + "', allowed is the log's: " + logged + " of scene '" + log.scene +
                      "' (try that scene, or --sheet " + logged + ")");
   }
-  if (!options.scene.empty() && !log.sceneText.empty() && !sameCloth(scene, loggedScene(log))) {
+  if (!options.scene.empty() && !log.sceneText.empty() && !sameCloth(scene, loggedScene(log, methodNames()))) {
     std::cerr << "tyg run: the log was made on another cloth than '" << scene.name
               << "' is now; without SCENE its own is used" << std::endl;
   }
@@ -88,7 +81,7 @@ Scene fitted(Scene scene, const SceneOptions& options, const EventLog& log) {
   mustAgree("--integrator", options.integrator, log.integrator, log.integrator);
   mustAgree("--dt", options.dt, log.dt, fmt::format("{:g} s", log.dt));
   if (!log.sceneText.empty()) {
-    const double tolerance = loggedScene(log).tolerance;
+    const double tolerance = loggedScene(log, methodNames()).tolerance;
     const std::optional<double> asked = options.tolerance ? std::optional(scene.tolerance) : std::nullopt;
     mustAgree("--tolerance", asked, tolerance, fmt::format("{:g} m", tolerance));
     scene.tolerance = tolerance;
@@ -188,7 +181,7 @@ int run(const RunOptions& options) {
   std::optional<EventLog> log;
   if (options.replay) log = readLog(*options.replay);
   const bool fromLog = options.scene.scene.empty();  // there is one then
-  Scene scene = fromLog ? overridden(loggedScene(*log), options.scene) : chosenScene(options.scene);
+  Scene scene = fromLog ? overridden(loggedScene(*log, methodNames()), options.scene) : chosenScene(options.scene);
   if (log) scene = fitted(std::move(scene), options.scene, *log);
   std::optional<SampleFile> file;
   if (options.out) file.emplace(*options.out);

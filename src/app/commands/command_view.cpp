@@ -17,22 +17,40 @@
 #include "util/interrupt.h"
 #include "util/sudden_end.h"
 #include "util/whole_file.h"
+#include "viewer/cure.h"
 #include "viewer/viewer.h"
+#include "viewer/window_memory.h"
 
 namespace tyg {
 namespace {
 
 constexpr int kMostPixels = 16384;
+constexpr const char* kUsualSize = "1280x720";
+
+std::string checkSize(const std::string& text) {
+  return checkPair(text, kMostPixels, "width x height in pixels, such as 1280x720");
+}
 
 struct ViewOptions {
   SceneOptions scene;
-  std::string window = "glfw", size = "1280x720";
+  std::string window = "glfw";
   std::optional<double> uiScale;
-  std::optional<std::string> log, record;
+  std::optional<std::string> size, log, record;
+  bool light = false;
+  LookOptions look;
 };
 
-OpeningOptions openingOptions(const ViewOptions& options) {
-  const auto [width, height] = parsePair(options.size);
+/// Pixels: as asked for, else as remembered, else the usual size.
+std::string sizeOf(const ViewOptions& options, WindowMemory& memory) {
+  if (options.size) return *options.size;
+  std::string remembered = memory.find("size").value_or(kUsualSize);
+  if (checkSize(remembered).empty()) return remembered;
+  memory.refuse("size");
+  return kUsualSize;
+}
+
+OpeningOptions openingOptions(const ViewOptions& options, WindowMemory& memory) {
+  const auto [width, height] = parsePair(sizeOf(options, memory));
   return {.library = options.window == "glut" ? WindowLibrary::Glut : WindowLibrary::Glfw,
           .size = {.width = width, .height = height},
           .uiScale = options.uiScale.value_or(1)};
@@ -52,10 +70,12 @@ int renderWithoutWindow(const ViewOptions& options, const Scene& scene, const No
   std::cerr << "tyg view: " << why.what() << "; drawing off-screen instead" << std::endl;
   if (options.log || options.record)
     std::cerr << "tyg view: without a window nothing is logged or recorded" << std::endl;
-  const auto [width, height] = parsePair(options.size);
+  const auto [width, height] = parsePair(options.size.value_or(kUsualSize));
   RenderRequest like;
   like.size = {width, height};
+  like.draw.background = options.light ? Background::Light : Background::Dark;
   like.threads = options.scene.threads.value_or(0);
+  like.show = chosenShow(options.look, scene);
   return renderInstead(scene, like);
 }
 
@@ -65,8 +85,12 @@ int sayNoWindow(const std::runtime_error& why) {
   return kSimulationFailed;
 }
 
-int show(const ViewOptions& options, const Scene& scene, OpeningWindow& opening) {
+int show(const ViewOptions& options, const Scene& scene, const std::string& said, OpeningWindow& opening,
+         WindowMemory& memory) {
   Viewer viewer(scene, Settings{.threads = options.scene.threads.value_or(0)}, wallClock);
+  if (options.light) viewer.perform(InputAction::ChangeBackground);
+  if (const auto show = chosenShow(options.look, scene)) viewer.show(*show);
+  if (!said.empty()) viewer.notes().warn(said);
   bool kept = false;
   const auto keep = [&options, &kept](const EventLog& log) {
     kept = true;
@@ -83,7 +107,7 @@ int show(const ViewOptions& options, const Scene& scene, OpeningWindow& opening)
   ignoreClosedPipes();  // whoever reads the messages may leave before the window does
   const AtExit recordFirst([&] { sayAndKeep(keepWhatRan); });
   try {
-    const std::string left = FrameLoop(opening, viewer, options.log).run();
+    const std::string left = FrameLoop(opening, viewer, memory, options.log).run();
     if (!left.empty()) std::cerr << "tyg view: " << left << std::endl;
   } catch (const InputError&) {
     keepWhatRan();
@@ -98,18 +122,22 @@ int show(const ViewOptions& options, const Scene& scene, OpeningWindow& opening)
 }
 
 int view(const ViewOptions& options) {
-  const Scene scene = chosenScene(options.scene);
+  Scene scene = chosenScene(options.scene);
+  (void)chosenShow(options.look, scene);  // refuses a picture that cannot be read before a window opens
+  // A scene's own step is for its own sheet. One that was asked for is taken, and the window tells its limit.
+  const std::string said = options.scene.sheet && !options.scene.dt ? takeStepThatHolds(scene) : "";
   if (options.log) checkWritable(*options.log);
   if (options.record) checkWritable(*options.record);
+  WindowMemory memory(options.log ? std::nullopt : windowMemoryFile());
   std::optional<OpeningWindow> opening;
   try {
-    opening.emplace(openingOptions(options), scene);
+    opening.emplace(openingOptions(options, memory), scene);
   } catch (const NoDisplay& error) {
     return renderWithoutWindow(options, scene, error);
   } catch (const WindowError& error) {
     return sayNoWindow(error);
   }
-  return show(options, scene, *opening);
+  return show(options, scene, said, *opening, memory);
 }
 
 double parseScale(const std::string& text) {
@@ -121,24 +149,27 @@ double parseScale(const std::string& text) {
 }  // namespace
 
 void addViewCommand(CLI::App& app, Action& action) {
-  Command command(app, "view", "The window: space starts and pauses, a left click pushes the cloth, H shows the keys");
+  Command command(app, "view", "The window: space starts and pauses, a left click pushes the cloth, F1 shows all keys");
   auto options = std::make_shared<ViewOptions>();
   addSceneOptions(command, options->scene);
-  const auto size = [](const std::string& text) {
-    return checkPair(text, kMostPixels, "width x height in pixels, such as 1280x720");
-  };
   command.option("--window", options->window, "Library that opens the window [glfw]")
       .check([](const std::string& text) {
         return checkOneOf(text, {"glfw", "glut"});
       })
       .typeName("glfw|glut");
-  command.option("--size", options->size, "Pixels of the window [1280x720]").check(size).typeName("WxH");
-  command.amount("--ui-scale", options->uiScale, parseScale, "Size of the text, on top of the screen's own scale [1]")
+  command.option("--size", options->size, "Pixels of the window [as it was last, at first 1280x720]")
+      .check(checkSize)
+      .typeName("WxH");
+  command
+      .amount("--ui-scale", options->uiScale, parseScale,
+              "Size of text and lines, on top of the screen's own scale [1]")
       .typeName("X");
+  command.flag("--light", options->light, "Begin with a light background; B changes it");
   command.option("--log", options->log, "Write one CSV line a frame here, for scripts that watch the window")
       .typeName("FILE.csv");
   command.option("--record", options->record, "Write the run here, its scene, pushes and changes, for tyg run --replay")
       .typeName("FILE");
+  addLookOption(command, options->look);
   command.onChosen([&action, options] { action = [options] { return view(*options); }; });
 }
 

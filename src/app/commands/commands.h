@@ -43,6 +43,16 @@ Scene overridden(Scene scene, const SceneOptions& options);
 /// The methods that --integrator names, each once; without it those of `usual`, else all. Throws InputError.
 std::vector<const Method*> chosenMethods(const SceneOptions& options, const std::string& usual = {});
 
+/// How to draw the cloth, besides what its scene says.
+struct LookOptions {
+  std::optional<std::string> show;
+};
+/// Adds --look to a command. `options` must live as long as `command`.
+void addLookOption(Command& command, LookOptions& options);
+/// How the command line wants the cloth drawn; nothing: as the scene has it. Throws InputError where the cloth is to be
+/// drawn with a picture on it that cannot be read.
+std::optional<Show> chosenShow(const LookOptions& options, const Scene& scene);
+
 // Each adds its subcommand to `app`; when it is chosen, `action` is set.
 void addViewCommand(CLI::App& app, Action& action);
 void addRunCommand(CLI::App& app, Action& action);

@@ -101,9 +101,9 @@ class Framing {
 /// Draws one sheet off-screen.
 class Studio {
  public:
-  Studio(const Sheet& sheet, bool hasBodies, const RenderRequest& request)
+  Studio(const Sheet& sheet, bool hasSolids, const RenderRequest& request)
       : request_(request), offscreen_(makeOffscreen(request.size.x, request.size.y)), renderer_(sheet) {
-    if (hasBodies && request.size.x <= kLargestSmooth && request.size.y <= kLargestSmooth) {
+    if (hasSolids && request.size.x <= kLargestSmooth && request.size.y <= kLargestSmooth) {
       smooth_ = std::make_unique<PictureTexture>(request.size.x, request.size.y);
     }
   }
@@ -113,6 +113,8 @@ class Studio {
     DrawOptions options = request_.draw;
     options.wind = windNow(motion.simulation(), camera.watched());
     options.bodies = motion.bodies();
+    followLook(motion.simulation().scene(), options);
+    options.show = request_.show.value_or(motion.simulation().scene().look.show);
     const auto draw = [&] {
       renderer_.follow(motion.simulation().sheet());
       renderer_.draw(motion.xyz(), camera, request_.size, options, pushNow(motion.simulation()));
@@ -144,7 +146,7 @@ class Studio {
 
   const RenderRequest& request_;
   std::unique_ptr<Offscreen> offscreen_;    // before the renderer: its objects live in this context
-  std::unique_ptr<PictureTexture> smooth_;  // lines are smooth by themselves, the outlines of bodies are not
+  std::unique_ptr<PictureTexture> smooth_;  // lines are smooth by themselves, outlines of bodies and surfaces are not
   SheetRenderer renderer_;
   Picture picture_;
 };
@@ -152,7 +154,9 @@ class Studio {
 /// Machines without any OpenGL are told so as for every output that cannot be made.
 Studio openStudio(const Simulation& simulation, const RenderRequest& request) {
   try {
-    return {simulation.sheet(), !simulation.scene().bodies.empty(), request};
+    const Scene& scene = simulation.scene();
+    const bool hasSurface = request.show.value_or(scene.look.show) != Show::Lines;
+    return {simulation.sheet(), hasSurface || !scene.bodies.empty(), request};
   } catch (const std::runtime_error& error) {
     throw InputError(error.what());
   }

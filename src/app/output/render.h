@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "gfx/passes/sheet_renderer.h"
@@ -17,7 +18,8 @@ struct RenderRequest {
   glm::ivec2 size{1280, 720};  ///< pixels; a movie's are rounded up to even numbers
   std::filesystem::path out;   ///< one time: FILE.png; several: FILE.mp4, FILE.gif, else a folder for PNGs
   DrawOptions draw;
-  int threads = 0;  ///< as Settings::threads
+  std::optional<Show> show;  ///< of the cloth; nothing: as the scene has it
+  int threads = 0;           ///< as Settings::threads
 };
 
 /// Frames of `fps` per second from `from` to `to`, both included (s).
@@ -28,7 +30,7 @@ std::vector<double> frameTimes(double from, double to, double fps);
 int render(const Scene& scene, const RenderRequest& request);
 
 /// What `tyg view` does without a display: a picture, and a movie where ffmpeg is there and the run is long enough for
-/// one, in the current folder under names that no file has yet. `like`: size and threads.
+/// one, in the current folder under names that no file has yet. `like`: size, show and threads.
 int renderInstead(const Scene& scene, const RenderRequest& like);
 
 }  // namespace tyg

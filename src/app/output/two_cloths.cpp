@@ -1,8 +1,11 @@
 // Both runs are advanced to the same time, and both sheets are drawn into one framebuffer by the same camera.
 #include "app/output/two_cloths.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <vector>
+
+#include <glm/gtc/constants.hpp>
 
 #include "gfx/contexts/offscreen.h"
 #include "gfx/passes/sheet_renderer.h"
@@ -15,10 +18,11 @@
 namespace tyg {
 namespace {
 
-// Blue and vermilion of Okabe and Ito (2008): the colour-blind tell them apart. The first is wide, so that it shows on
-// both sides of the second where the two agree.
-constexpr std::array<std::uint8_t, 3> kBlue{0x56, 0xB4, 0xE9}, kOrange{0xD5, 0x5E, 0x00};
-constexpr float kWide = 4, kNarrow = 1.5F;  // pixels
+// Told apart by brightness too, so that they can be printed in grey. The first is wide, so that it shows on both sides
+// of the second where the two agree.
+constexpr std::array<std::uint8_t, 3> kPaleBlue{0x7A, 0xC0, 0xEC}, kDarkRed{0x8C, 0x24, 0x00};
+constexpr float kWide = 4.5F, kNarrow = 1.6F;  // pixels
+constexpr float kFade = 0.25F;                 // with distance: more would make one of them look like the other
 
 glm::vec3 unit(const std::array<std::uint8_t, 3>& colour) {
   return glm::vec3(colour[0], colour[1], colour[2]) / 255.0F;
@@ -37,6 +41,50 @@ Cloth clothAt(const Scene& scene, double time) {
   std::vector<float> xyz(3 * static_cast<std::size_t>(simulation.sheet().count()));
   simulation.copyPositions(xyz);
   return {simulation.sheet(), std::move(xyz)};
+}
+
+glm::vec3 placeOf(const Cloth& cloth, int column, int row) {
+  const auto at = 3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(cloth.sheet.columns) +
+                       static_cast<std::size_t>(column));
+  return {cloth.xyz[at], cloth.xyz[at + 1], cloth.xyz[at + 2]};
+}
+/// The particle nearest to a place of the sheet: shares of its width and height, 0..1.
+glm::vec3 placeOf(const Cloth& cloth, const glm::vec2& share) {
+  const glm::vec2 last(cloth.sheet.columns - 1, cloth.sheet.rows - 1);
+  const glm::ivec2 nearest(share * last + 0.5F);
+  return placeOf(cloth, nearest.x, nearest.y);
+}
+
+/// Turns the camera to where the two lie farthest apart beside each other and the first is seen broadly.
+void turnToDifference(const Cloth& one, const Cloth& other, Camera& camera) {
+  constexpr int kSide = 12, kTurns = 6;
+  std::vector<glm::vec3> differences, areas;
+  for (int row = 0; row < kSide; ++row) {
+    for (int column = 0; column < kSide; ++column) {
+      const auto share = [](int x, int y) { return glm::vec2(x, y) / float(kSide); };
+      const glm::vec3 here = placeOf(one, share(column, row));
+      differences.push_back(placeOf(other, share(column, row)) - here);
+      areas.push_back(
+          glm::cross(placeOf(one, share(column + 1, row)) - here, placeOf(one, share(column, row + 1)) - here));
+    }
+  }
+  const float yaw = camera.yaw(), pitch = camera.pitch();
+  glm::vec2 best(yaw, pitch);
+  float most = -1;
+  for (const float down : {pitch, 0.4F * pitch, 2.0F * pitch}) {
+    for (int turn = 0; turn < 4 * kTurns; ++turn) {
+      camera.lookAlong(yaw + float(turn) * glm::half_pi<float>() / kTurns, down);
+      float apart = 0, broad = 0;
+      for (const glm::vec3& difference : differences) {
+        const glm::vec3 along = glm::dot(difference, camera.forward()) * camera.forward();
+        apart += glm::dot(difference - along, difference - along);
+      }
+      for (const glm::vec3& area : areas) broad += std::abs(glm::dot(area, camera.forward()));
+      constexpr float kClearly = 1.05F;  // not turned away from the usual side for nothing
+      if (const float worth = apart * broad; worth > kClearly * most) most = worth, best = {camera.yaw(), down};
+    }
+  }
+  camera.lookAlong(best.x, best.y);
 }
 
 std::unique_ptr<Offscreen> openOffscreen(glm::ivec2 size) {
@@ -62,6 +110,7 @@ Picture overlaid(const Overlaid& first, const Overlaid& second, double time, con
   addBodyPoints(bodies, boxAround(one).with(boxAround(other)), points);
   Camera camera;
   camera.watch(boxAround(one).with(boxAround(other)));
+  turnToDifference(oneCloth, otherCloth, camera);
   camera.frame(points, static_cast<float>(size.x) / static_cast<float>(size.y));
 
   const auto offscreen = openOffscreen(size);
@@ -70,15 +119,16 @@ Picture overlaid(const Overlaid& first, const Overlaid& second, double time, con
   draw.background = Background::Light;
   draw.pins = false;
   draw.bodies = bodies;
-  draw.mesh = unit(kBlue);
+  draw.fade = kFade;
+  draw.mesh = unit(kPaleBlue);
   draw.lineWidth = kWide;
   oneSheet.draw(one, camera, size, draw);
-  draw.mesh = unit(kOrange);
+  draw.mesh = unit(kDarkRed);
   draw.lineWidth = kNarrow;
   draw.over = true;
   otherSheet.draw(other, camera, size, draw);
   Picture picture = offscreen->readPixels();
-  writeLegend(picture, {{title}, {first.words, true, kBlue}, {second.words, true, kOrange}});
+  writeLegend(picture, {{title}, {first.words, true, kPaleBlue}, {second.words, true, kDarkRed}});
   return picture;
 }
 

@@ -17,8 +17,9 @@ struct Overlaid {
   std::string words;
 };
 
-/// Simulates both to `time` (s) and draws the first in wide blue lines, the second in narrow orange ones over it, on a
-/// light ground, with a legend and `title` above it. Throws InputError where nothing can draw, and where a run fails.
+/// Simulates both to `time` (s) and draws the first in wide pale lines, the second in narrow dark ones over it, from a
+/// side where they differ, on a light ground, with a legend and `title` above it. Throws InputError where nothing can
+/// draw, and where a run fails.
 Picture overlaid(const Overlaid& first, const Overlaid& second, double time, const std::string& title,
                  glm::ivec2 size = {1280, 720});
 

@@ -83,6 +83,10 @@ void refuseExtremes(const Scene& scene) {
     check.vector("cut.to", {line.toColumn, line.toRow, 0});
     check.number("cut.at", at);
   }
+  for (const Lamp& lamp : scene.lamps) {
+    check.vector("lamp.direction", lamp.direction);
+    check.vector("lamp.at", lamp.at.value_or(Vec3{}));
+  }
   for (const Push& push : scene.pushes) {
     check.vector("push.force", push.force);
     check.number("push.at", push.at);

@@ -8,6 +8,7 @@
 
 #include "core/scene/bodies.h"
 #include "core/scene/key_depth.h"
+#include "core/scene/look_keys.h"
 #include "core/scene/scene_table.h"
 #include "core/scene/term_keys.h"
 #include "tyg/scene.h"
@@ -254,7 +255,7 @@ void readRun(SceneTable table, Scene& scene, std::span<const std::string_view> m
 }
 
 /// The root is finished before its tables are read: a misspelt table is named, not what it seems to lack.
-void readRoot(SceneTable root, Scene& scene, std::span<const std::string_view> methods) {
+void readRoot(SceneTable root, const std::string& file, Scene& scene, std::span<const std::string_view> methods) {
   root.text("title", scene.title);
   root.text("shows", scene.shows);
   const auto sheetTable = root.table("sheet");
@@ -262,7 +263,9 @@ void readRoot(SceneTable root, Scene& scene, std::span<const std::string_view> m
   for (const std::string_view name : tablesOfTerms()) ofTerms.emplace_back(name, root.table(name));
   const auto winds = root.tables("wind"), displacements = root.tables("displace"), pushes = root.tables("push");
   const auto moves = root.tables("move"), bodies = root.tables("body"), cuts = root.tables("cut");
-  const auto tear = root.table("tear"), run = root.table("run");
+  const auto tear = root.table("tear"), look = root.table("look");
+  const auto lamps = root.tables("lamp");
+  const auto run = root.table("run");
   root.finish({"title", "sheet", "run"});
 
   readSheet(*sheetTable, scene);
@@ -279,6 +282,11 @@ void readRoot(SceneTable root, Scene& scene, std::span<const std::string_view> m
   for (const SceneTable& table : cuts) scene.cuts.push_back(readCut(table));
   for (const SceneTable& table : winds) scene.winds.push_back(readWind(table));
   if (!winds.empty() && !root.has("air")) root.refuse("wind", "[[wind]] without [air]", "both, or neither");
+  if (look) scene.look = readLook(*look, file);
+  for (const SceneTable& table : lamps) scene.lamps.push_back(readLamp(table));
+  if (lamps.size() > kMostLamps) {
+    root.refuse("lamp", fmt::format("{} lamps", lamps.size()), fmt::format("{} at most", kMostLamps));
+  }
   readRun(*run, scene, methods);
 }
 
@@ -308,7 +316,7 @@ Scene parseScene(std::string_view text, const std::string& fileName, std::span<c
     const toml::table root = toml::parse(text, std::string_view(fileName));
     Scene scene;
     scene.name = oneLine(fileName);  // it goes into files and onto screens
-    readRoot(SceneTable(root, "", fileName), scene, methods);
+    readRoot(SceneTable(root, "", fileName), fileName, scene, methods);
     return scene;
   } catch (const toml::parse_error& mistake) {
     throw InputError(fmt::format("{}:{}: found what is not TOML ({}), allowed TOML 1.0 in UTF-8", fileName,

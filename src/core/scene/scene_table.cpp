@@ -51,6 +51,14 @@ std::optional<double> finiteNumber(const toml::node& value) {
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
+std::optional<Vec3> finiteVector(const toml::node& value) {
+  const toml::array* array = value.as_array();
+  if (array == nullptr || array->size() != 3) return std::nullopt;
+  const auto x = finiteNumber((*array)[0]), y = finiteNumber((*array)[1]), z = finiteNumber((*array)[2]);
+  if (!x || !y || !z) return std::nullopt;
+  return Vec3{*x, *y, *z};
+}
+
 std::string wordsFor(Allowed allowed) {
   switch (allowed) {
     case Allowed::Any:
@@ -105,11 +113,19 @@ void SceneTable::number(std::string_view key, double& out, Allowed allowed) {
 void SceneTable::vector(std::string_view key, Vec3& out) {
   const toml::node* value = ask(key, "three finite numbers [x, y, z]");
   if (value == nullptr) return;
-  const toml::array* array = value->as_array();
-  if (array == nullptr || array->size() != 3) refuseValue(*value);
-  const auto x = finiteNumber((*array)[0]), y = finiteNumber((*array)[1]), z = finiteNumber((*array)[2]);
-  if (!x || !y || !z) refuseValue(*value);
-  out = {*x, *y, *z};
+  const std::optional<Vec3> vector = finiteVector(*value);
+  if (!vector) refuseValue(*value);
+  out = *vector;
+}
+
+void SceneTable::colour(std::string_view key, Vec3& out) {
+  const toml::node* value = ask(key, "three numbers from 0 to 1, [red, green, blue]");
+  if (value == nullptr) return;
+  const std::optional<Vec3> colour = finiteVector(*value);
+  if (!colour) refuseValue(*value);
+  const auto [least, most] = std::minmax({colour->x, colour->y, colour->z});
+  if (least < 0 || most > 1) refuseValue(*value);
+  out = *colour;
 }
 
 void SceneTable::gridPoint(std::string_view key, double& column, double& row) {

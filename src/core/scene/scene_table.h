@@ -28,6 +28,8 @@ class SceneTable {
   void integer(std::string_view key, int& out, int lowest, int highest);
   void number(std::string_view key, double& out, Allowed allowed);
   void vector(std::string_view key, Vec3& out);
+  /// Red, green and blue, 0..1 each.
+  void colour(std::string_view key, Vec3& out);
   /// A place on the grid, [column, row], as real numbers.
   void gridPoint(std::string_view key, double& column, double& row);
   /// The index of one of `names`.

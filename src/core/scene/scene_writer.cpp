@@ -8,6 +8,7 @@
 
 #include "core/forces/terms/contact.h"
 #include "core/scene/bodies.h"
+#include "core/scene/look_keys.h"
 #include "core/scene/scene_range.h"
 #include "core/scene/term_keys.h"
 #include "util/text.h"
@@ -231,6 +232,28 @@ void writeEvents(Writer& out, const Scene& scene) {
   }
 }
 
+std::string inQuotes(std::string_view word) { return '"' + std::string(word) + '"'; }
+
+/// What a scene does not have to say is left out.
+void writeLook(Writer& out, const Scene& scene) {
+  const Look& look = scene.look;
+  if (look != Look{}) {
+    out.table("[look]");
+    if (look.show != Look{}.show) out.line("show", inQuotes(nameOf(look.show)));
+    if (look.colour) out.line("colour", vectorText(*look.colour), "red, green, blue");
+    if (!look.image.empty()) {
+      out.line("image", quoted(look.image));
+    } else if (look.weave != Look{}.weave) {
+      out.line("weave", inQuotes(nameOf(look.weave)));
+    }
+  }
+  for (const Lamp& lamp : scene.lamps) {
+    out.table("[[lamp]]");
+    lamp.at ? out.line("at", vectorText(*lamp.at), "m") : out.line("direction", vectorText(lamp.direction));
+    if (lamp.colour != Lamp{}.colour) out.line("colour", vectorText(lamp.colour), "red, green, blue");
+  }
+}
+
 void writeRun(Writer& out, const Scene& scene) {
   out.table("[run]");
   out.line("duration", numberText(scene.duration), "s");
@@ -252,6 +275,7 @@ std::string sceneToToml(const Scene& scene, std::string_view comment) {
   for (const std::string_view name : tablesOfTerms()) writeTerms(out, name, scene);
   writeBodies(out, scene);
   writeEvents(out, scene);
+  writeLook(out, scene);
   writeRun(out, scene);
   return out.text();
 }

@@ -8,6 +8,13 @@
 
 namespace tyg {
 
+Scene loggedScene(const EventLog& log, std::span<const std::string_view> methods) {
+  if (log.sceneText.empty()) return loadScene(log.scene, methods);
+  Scene scene = parseScene(log.sceneText, "the scene in the log", methods);
+  scene.name = log.scene;
+  return scene;
+}
+
 const Method& methodNamed(std::string_view name, std::span<const Method> methods) {
   const auto found = std::ranges::find(methods, name, &Method::name);
   if (found == methods.end()) throw InputError(fmt::format("replay: found the unknown method \"{}\"", name));

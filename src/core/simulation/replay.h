@@ -10,8 +10,12 @@
 
 #include "tyg/event_log.h"
 #include "tyg/method.h"
+#include "tyg/scene.h"
 
 namespace tyg {
+
+/// The scene that a log carries, or else the one that it names. Throws InputError where that cannot be read.
+Scene loggedScene(const EventLog& log, std::span<const std::string_view> methods);
 
 /// Throws InputError where none of the methods has this name.
 const Method& methodNamed(std::string_view name, std::span<const Method> methods);

@@ -1,7 +1,5 @@
-// A mesh for each body is uploaded once; where the body is goes into a matrix.
+// Where a body is goes into a matrix.
 #include "gfx/passes/body_pass.h"
-
-#include <algorithm>
 
 #include "gfx/passes/sink.h"
 #include "view/body_shapes.h"
@@ -9,15 +7,20 @@
 namespace tyg {
 namespace {
 
-constexpr int kPerQuarter = 16;  // a ball as high as the picture then has corners of less than a pixel
+struct SoftEdge {
+  float swell, opacity;  // pixels; 0..1
+};
+constexpr SoftEdge kSoftEdge[]{{0.4F, 0.6F}, {0.8F, 0.35F}};
 
 }  // namespace
 
-void BodyPass::renewSolids(std::span<const Body> bodies) {
-  if (std::ranges::equal(bodies, solids_, sameSolid, {}, &Solid::body)) return;
-  solids_.clear();
-  for (const Body& body : bodies) {
-    solids_.push_back({body, std::make_unique<const SolidMesh>(bodySolid(body, kPerQuarter))});
+void BodyPass::drawSolids(std::span<const Body> bodies, float swell, float opacity) const {
+  program_->set("swell", swell);
+  program_->set("opacity", opacity);
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    if (bodies[k].shape == Shape::Plane) continue;
+    program_->set("model", bodyModel(bodies[k]));
+    canvas_.bodies.draw(k);
   }
 }
 
@@ -25,20 +28,21 @@ void BodyPass::draw(const Frame& frame) {
   const std::span<const Body> bodies = frame.options.bodies;
   if (bodies.empty() || frame.options.over) return;
   if (!program_) program_.emplace("bodies");
-  renewSolids(bodies);
   program_->use();
   program_->set("view", frame.view);
   program_->set("projection", frame.projection);
   program_->set("eye", frame.camera.eye());
+  program_->set("focal", frame.focal);
   program_->set("sink", kSink * static_cast<float>(canvas_.sheet.spacing));
   program_->set("colour", frame.palette.body);
+  setLights(*program_, frame.lights);
   glEnable(GL_CULL_FACE), glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(kSlantedSink, 0);
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    if (bodies[k].shape == Shape::Plane) continue;
-    program_->set("model", bodyModel(bodies[k]));
-    solids_[k].mesh->draw();
-  }
+  drawSolids(bodies, 0, 1);
+  // Their far sides, a little larger, are seen around the outline alone: an edge of which less and less is covered.
+  glCullFace(GL_FRONT), glDepthMask(GL_FALSE);
+  for (const auto& [swell, opacity] : kSoftEdge) drawSolids(bodies, swell, opacity);
+  glCullFace(GL_BACK), glDepthMask(GL_TRUE);
   glDisable(GL_CULL_FACE), glDisable(GL_POLYGON_OFFSET_FILL);
 }
 

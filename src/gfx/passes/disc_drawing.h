@@ -7,11 +7,12 @@
 
 namespace tyg {
 
+/// Lengths in pixels, times the scale of the frame's options.
 struct DiscStyle {
   Shading shading;
-  float diameter = 1;  ///< pixels
-  float least = 1;     ///< pixels; a disc that would be smaller is drawn fainter instead
-  float outline = 0;   ///< pixels, in the background's colour
+  float diameter = 1;
+  float least = 1;    ///< a disc that would be smaller is drawn fainter instead
+  float outline = 0;  ///< in the background's colour
 };
 /// A large disc that sets off a single particle: a pin, the foot of a push.
 inline DiscStyle markerStyle(const glm::vec3& colour) {
@@ -23,9 +24,9 @@ class DiscDrawing {
   /// Prepares for glDraw...(GL_POINTS, ...) with the vertices of a Positions object bound.
   void use(const Frame& frame, const DiscStyle& style) const {
     useShaded(program_, frame, style.shading);
-    program_.set("diameter", style.diameter);
-    program_.set("least", style.least);
-    program_.set("outline", style.outline);
+    program_.set("diameter", style.diameter * frame.options.scale);
+    program_.set("least", style.least * frame.options.scale);
+    program_.set("outline", style.outline * frame.options.scale);
   }
 
  private:

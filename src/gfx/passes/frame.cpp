@@ -2,6 +2,7 @@
 #include "gfx/passes/frame.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -33,6 +34,7 @@ Frame makeFrame(std::span<const float> xyz, const Camera& camera, glm::ivec2 pix
           .options = options,
           .push = push,
           .palette = paletteOf(options.background),
+          .lights = lightsOf(options.lamps),
           .pixels = size,
           .view = camera.view(),
           .projection = camera.projection(size.x / size.y, nearestWith(camera, options.bodies)),
@@ -51,6 +53,17 @@ void useShaded(const GlProgram& program, const Frame& frame, const Shading& shad
   program.set("colour", shading.colour);
   program.set("fade", shading.fade);
   program.set("spacing", shading.spacing);
+}
+
+void setLights(const GlProgram& program, const Lights& lights) {
+  std::array<glm::vec4, kMostLamps> from{};
+  std::array<glm::vec3, kMostLamps> colours{};
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    from.at(k) = lights.lights.at(k).from, colours.at(k) = lights.lights.at(k).colour;
+  }
+  program.set("lamps", lights.count);
+  program.set("lampFrom", std::span<const glm::vec4>(from));
+  program.set("lampColour", std::span<const glm::vec3>(colours));
 }
 
 }  // namespace tyg

@@ -2,6 +2,7 @@
 // Must not know: which passes there are, who owns the OpenGL objects.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include <glm/glm.hpp>
@@ -10,6 +11,7 @@
 #include "gfx/passes/palette.h"
 #include "view/camera.h"
 #include "view/draw_options.h"
+#include "view/lamp_light.h"
 
 namespace tyg {
 
@@ -20,6 +22,7 @@ struct Frame {
   const DrawOptions& options;
   const ShownPush* push;  ///< null: no push; else on a particle of the sheet
   const Palette& palette;
+  Lights lights;
   glm::vec2 pixels;  ///< size of the picture, above 0
   glm::mat4 view, projection;
   glm::vec2 depths;  ///< of the nearest and the farthest part of the cloth along the line of sight, m
@@ -37,9 +40,14 @@ struct Shading {
   float spacing = 0;  ///< m between neighbours of one kind, which makes dense ones smaller; 0: always full size
 };
 /// The fade of what belongs to the mesh: less before bodies, from which all of it has to be told.
-inline float meshFade(const DrawOptions& options) { return options.bodies.empty() ? 0.62F : 0.3F; }
+inline float meshFade(const DrawOptions& options) {
+  return options.bodies.empty() ? options.fade : std::min(options.fade, 0.3F);
+}
 
 /// Uses the program and sets the uniforms that lines and discs have in common.
 void useShaded(const GlProgram& program, const Frame& frame, const Shading& shading);
+
+/// For a program in use whose shader includes light.glsl.
+void setLights(const GlProgram& program, const Lights& lights);
 
 }  // namespace tyg

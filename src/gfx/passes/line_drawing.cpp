@@ -2,6 +2,8 @@
 // twice, solid middles first: lines.frag says why.
 #include "gfx/passes/line_drawing.h"
 
+#include <algorithm>
+
 namespace tyg {
 namespace {
 
@@ -42,24 +44,28 @@ void LineDrawing::draw(const Frame& frame, const Positions& positions, const Lin
   program_.set("lines", int{EndsUnit});
   program_.set("pixels", frame.pixels);
   program_.set("nearest", frame.camera.nearest());
-  program_.set("width", style.width);
-  program_.set("sideways", style.sideways);
-  program_.set("sideBySide", static_cast<float>(style.sideBySide));
+  program_.set("width", style.width * frame.options.scale);
+  program_.set("sideways", style.sideways * frame.options.scale);
+  if (style.sheet != nullptr) {
+    program_.set("columns", style.sheet->columns);
+    program_.set("particles", style.sheet->count());
+    program_.set("sideBySide", static_cast<float>(std::min(style.sheet->columns, style.sheet->rows)));
+  }
   glBindVertexArray(nothing_.name());
   bindTexture(EndsUnit, ends.texture());
   bindTexture(PointsUnit, positions.texture());
   // Lines thinner than a pixel have no solid middles to draw first.
   const float spacing = style.shading.spacing;
   const bool hairlines = spacing * frame.focal / frame.camera.distance() < kHairlineSpacing && spacing > 0;
-  if (hairlines) {
-    program_.set("part", int{Both});
-    glDrawArrays(GL_TRIANGLES, 0, 6 * ends.count());
-    return;
-  }
-  for (const Part part : {Middles, Edges}) {
+  const auto drawPart = [&](Part part) {
     program_.set("part", int{part});
     glDepthMask(part == Middles ? GL_TRUE : GL_FALSE);
     glDrawArrays(GL_TRIANGLES, 0, 6 * ends.count());
+  };
+  if (hairlines) {
+    drawPart(Both);
+  } else {
+    drawPart(Middles), drawPart(Edges);
   }
   glDepthMask(GL_TRUE);
 }

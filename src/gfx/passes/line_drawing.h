@@ -8,6 +8,7 @@
 #include "gfx/gl_objects.h"
 #include "gfx/passes/frame.h"
 #include "gfx/passes/positions.h"
+#include "tyg/sheet.h"
 
 namespace tyg {
 
@@ -33,10 +34,10 @@ struct LineColours {
 };
 struct LineStyle {
   Shading shading;
-  float width = 1;     ///< pixels
-  float sideways = 0;  ///< pixels from where the line lies to where it is drawn
-  float opacity = 1;   ///< 0..1
-  int sideBySide = 1;  ///< of a mesh: how many lines lie beside each other where it is narrowest
+  float width = 1;               ///< pixels, times the scale of the frame's options
+  float sideways = 0;            ///< as wide, from where the line lies to where it is drawn
+  float opacity = 1;             ///< 0..1
+  const Sheet* sheet = nullptr;  ///< of whose mesh they are; needed where the shading has a spacing
   LineColours colours{};
 };
 

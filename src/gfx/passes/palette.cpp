@@ -15,9 +15,12 @@ constexpr Palette kDark{.background = rgb(0x14181f),
                         .pin = rgb(0xff7a1f),
                         .push = rgb(0xf0e442),
                         .wind = rgb(0xcc79a7),
+                        .cloth = rgb(0x7fb4d8),
+                        .onCloth = rgb(0x10202e),
                         .body = rgb(0x857a6e),
                         .floor = rgb(0x1f232a),
-                        .floorGrid = rgb(0x4a5260)};
+                        .floorGrid = rgb(0x4a5260),
+                        .shadow = 0.62F};
 constexpr Palette kLight{.background = rgb(0xf6f7f8),
                          .sky = rgb(0xfafbfc),
                          .ground = rgb(0xeceef0),
@@ -29,9 +32,12 @@ constexpr Palette kLight{.background = rgb(0xf6f7f8),
                          .pin = rgb(0xd55e00),
                          .push = rgb(0xb0306a),
                          .wind = rgb(0x7a5fb0),
+                         .cloth = rgb(0x6ea6cf),
+                         .onCloth = rgb(0x102a40),
                          .body = rgb(0xdfd3c0),
                          .floor = rgb(0xe9e7e2),
-                         .floorGrid = rgb(0xb5b1aa)};
+                         .floorGrid = rgb(0xb5b1aa),
+                         .shadow = 0.3F};
 
 }  // namespace
 

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "gfx/passes/body_meshes.h"
+#include "gfx/passes/cloth_mesh.h"
 #include "gfx/passes/disc_drawing.h"
 #include "gfx/passes/frame.h"
 #include "gfx/passes/line_drawing.h"
@@ -18,9 +20,15 @@ struct Canvas {
   explicit Canvas(Sheet of) : sheet(std::move(of)) {}
 
   Sheet sheet;
-  Positions positions{sheet.count()};  ///< of the particles, uploaded once a frame before the first pass
+  Positions positions{sheet.count()};   ///< of the particles, uploaded once a frame before the first pass
+  ClothMesh cloth{positions.buffer()};  ///< uploaded once a frame before the first pass, where a surface is shown
+  BodyMeshes bodies;                    ///< of the options, where these are not drawn over another picture
   LineDrawing lines;
   DiscDrawing discs;
+
+  [[nodiscard]] bool showsSurface(const DrawOptions& options) const {
+    return options.show != Show::Lines && !options.over && ClothSurface::possible(sheet);
+  }
 };
 
 /// Its constructor takes the canvas (kept by reference) and makes what stays the same from frame to frame.
@@ -31,6 +39,8 @@ class Pass {
   Pass(const Pass&) = delete;
   Pass& operator=(const Pass&) = delete;
 
+  /// Before anything is drawn into the picture: for what it draws elsewhere, in the same state as draw() finds.
+  virtual void prepare(const Frame& /*frame*/) {}
   /// Draws its kind of thing where the options want it. It finds blending, depth test and depth writing switched on,
   /// and leaves them so. Allocates nothing, but for what it makes when a thing is shown for the first time.
   virtual void draw(const Frame& frame) = 0;

@@ -17,6 +17,7 @@ class Positions {
 
   /// x, y, z of each point, m.
   void upload(std::span<const float> xyz) const;
+  [[nodiscard]] GLuint buffer() const { return buffer_.name(); }
   [[nodiscard]] GLuint texture() const { return texture_.name(); }
   /// A vertex array with the points as its first attribute.
   [[nodiscard]] GLuint vertices() const { return vertices_.name(); }

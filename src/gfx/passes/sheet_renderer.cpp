@@ -10,7 +10,9 @@
 #include "gfx/passes/particle_pass.h"
 #include "gfx/passes/plane_pass.h"
 #include "gfx/passes/push_pass.h"
+#include "gfx/passes/shadow_pass.h"
 #include "gfx/passes/spring_pass.h"
+#include "gfx/passes/surface_pass.h"
 #include "gfx/passes/surroundings_pass.h"
 #include "gfx/passes/wind_pass.h"
 #include "tyg/input_error.h"
@@ -25,8 +27,8 @@ std::unique_ptr<Pass> make(const Canvas& canvas) {
 
 /// In the order in which they draw.
 constexpr std::unique_ptr<Pass> (*kPasses[])(const Canvas& canvas){
-    make<SurroundingsPass>, make<PlanePass>, make<BodyPass>, make<SpringPass>,
-    make<ParticlePass>,     make<PushPass>,  make<WindPass>,
+    make<SurroundingsPass>, make<PlanePass>,    make<ShadowPass>, make<BodyPass>, make<SurfacePass>,
+    make<SpringPass>,       make<ParticlePass>, make<PushPass>,   make<WindPass>,
 };
 
 std::unique_ptr<Canvas> makeCanvas(const Sheet& sheet) {
@@ -61,6 +63,7 @@ void SheetRenderer::follow(const Sheet& sheet) {
   }
   if (sheet.pins == known.pins && sheet.missing == known.missing) return;
   known = sheet;
+  canvas_->cloth.changeSheet();
   for (const std::unique_ptr<Pass>& pass : passes_) pass->changeSheet();
 }
 
@@ -74,12 +77,17 @@ void SheetRenderer::draw(std::span<const float> xyz, const Camera& camera, glm::
   const bool shown = push && push->particle >= 0 && push->particle < count;
   const Frame frame = makeFrame(xyz, camera, pixels, options, shown ? &*push : nullptr);
   setState(pixels);
+  canvas_->positions.upload(xyz);
+  if (canvas_->showsSurface(options)) canvas_->cloth.upload(canvas_->sheet, xyz);
+  if (!options.over) canvas_->bodies.follow(options.bodies);
+  for (const std::unique_ptr<Pass>& pass : passes_) pass->prepare(frame);
   if (!options.over) {
     const glm::vec3& clear = frame.palette.background;
     glClearColor(clear.r, clear.g, clear.b, 1);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    // With the stencil, which lies in the same words: depths alone take several times as long without a graphics card.
+    // The ground covers all of the picture.
+    glClear((options.ground ? 0U : GL_COLOR_BUFFER_BIT) | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   }
-  canvas_->positions.upload(xyz);
   for (const std::unique_ptr<Pass>& pass : passes_) pass->draw(frame);
   glBindVertexArray(0);
 }

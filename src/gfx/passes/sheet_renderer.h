@@ -1,5 +1,5 @@
-// Draws a sheet with OpenGL 3.3 core, pass by pass: surroundings, bodies, springs, particles and pins, a push, a wind.
-// Must not know: windows, how the context came about, the simulation (it is given positions).
+// Draws a sheet with OpenGL 3.3 core, pass by pass: surroundings, bodies, a surface, springs, particles and pins, a
+// push, a wind. Must not know: windows, how the context came about, the simulation (it is given positions).
 #pragma once
 
 #include <memory>
@@ -36,8 +36,8 @@ class SheetRenderer {
   /// Clears the bound framebuffer (unless options.over) and draws one frame. `xyz` holds 3 * sheet.count() numbers
   /// (anything else throws std::invalid_argument), uploaded once. `pixels` is the framebuffer's size; zero draws
   /// nothing. The depth shading follows camera.watched(). A push on a particle that the sheet does not have is not
-  /// drawn. Allocates nothing, but for the lines of a family of springs, and a body, that is drawn for the first time,
-  /// or for the first time with other springs.
+  /// drawn. Allocates nothing, but for a surface, the lines of a family of springs, and a body, that is drawn for the
+  /// first time, or for the first time with other springs.
   void draw(std::span<const float> xyz, const Camera& camera, glm::ivec2 pixels, const DrawOptions& options,
             const std::optional<ShownPush>& push = std::nullopt);
 

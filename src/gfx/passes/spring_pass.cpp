@@ -1,8 +1,6 @@
 // Bend springs lie along structural ones, so they are drawn beside them, and the structural mesh is drawn last.
 #include "gfx/passes/spring_pass.h"
 
-#include <algorithm>
-
 #include "view/sheet_lines.h"
 
 namespace tyg {
@@ -10,17 +8,22 @@ namespace {
 constexpr float kColouredFade = 0.2F;   // less than the mesh's: colours tell numbers
 constexpr float kBesideStructural = 3;  // pixels from a structural line to the bend line along it
 constexpr float kThinner = 0.7F;        // than structural lines, which stay the loudest
+constexpr float kOnCloth = 0.55F;       // opacity of lines on a surface, which shows what they would
 }  // namespace
 
 void SpringPass::draw(const Frame& frame) {
   const DrawOptions& options = frame.options;
-  const bool coloured = options.colouring.by != Colouring::By::Family && uploadValues(options.colouring);
+  const bool onCloth = canvas_.showsSurface(options);
+  if (onCloth && options.show == Show::Surface) return;
+  const bool coloured = !onCloth && options.colouring.by != Colouring::By::Family && uploadValues(options.colouring);
   LineStyle style{.shading = {.colour = {},
-                              .fade = coloured ? kColouredFade : meshFade(options),
+                              .fade = onCloth    ? 0
+                                      : coloured ? kColouredFade
+                                                 : meshFade(options),
                               .spacing = static_cast<float>(canvas_.sheet.spacing)},
                   .width = kThinner * options.lineWidth,
-                  .opacity = options.opacity,
-                  .sideBySide = std::min(canvas_.sheet.columns, canvas_.sheet.rows),
+                  .opacity = onCloth ? kOnCloth * options.opacity : options.opacity,
+                  .sheet = &canvas_.sheet,
                   .colours = {.by = coloured ? &options.colouring : nullptr, .values = valueTexture_.name()}};
   if (options.bend) {
     style.shading.colour = frame.palette.bend, style.sideways = kBesideStructural;
@@ -32,7 +35,8 @@ void SpringPass::draw(const Frame& frame) {
     drawFamily(frame, Family::Shear, style);
   }
   if (options.structural) {
-    style.shading.colour = options.mesh.value_or(frame.palette.structural), style.width = options.lineWidth;
+    style.shading.colour = options.mesh.value_or(onCloth ? frame.palette.onCloth : frame.palette.structural);
+    style.width = options.lineWidth;
     drawFamily(frame, Family::Structural, style);
   }
 }

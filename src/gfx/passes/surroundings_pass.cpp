@@ -26,26 +26,51 @@ bool hasFloor(std::span<const Body> bodies) {
 
 }  // namespace
 
-void SurroundingsPass::draw(const Frame& frame) {
-  if (!frame.options.ground || frame.options.over) return;
+SurroundingsPass::Look SurroundingsPass::lookOf(const Frame& frame) const {
   const Camera& camera = frame.camera;
   const float slope = std::tan(camera.fieldOfView() / 2);
+  return {.eye = camera.eye(),
+          .forward = camera.forward(),
+          .rightward = slope * frame.pixels.x / frame.pixels.y * camera.right(),
+          .upward = slope * camera.up(),
+          .sky = frame.palette.sky,
+          .ground = frame.palette.ground,
+          .grid = hasFloor(frame.options.bodies) ? frame.palette.ground : frame.palette.grid,
+          .height = groundHeight(sheet_),
+          .cell = static_cast<float>(roundStep(sheet_.size() / 4)),
+          .extent = kGroundExtent * static_cast<float>(sheet_.size()),
+          .middle = middleOnGround(sheet_),
+          .pixels = frame.pixels};
+}
+
+void SurroundingsPass::paint(const Look& look) const {
   program_.use();
-  program_.set("forward", camera.forward());
-  program_.set("rightward", slope * frame.pixels.x / frame.pixels.y * camera.right());
-  program_.set("upward", slope * camera.up());
-  program_.set("sky", frame.palette.sky);
-  program_.set("ground", frame.palette.ground);
-  program_.set("grid", hasFloor(frame.options.bodies) ? frame.palette.ground : frame.palette.grid);
-  program_.set("eye", camera.eye());
-  program_.set("height", groundHeight(sheet_));
-  program_.set("cell", static_cast<float>(roundStep(sheet_.size() / 4)));
-  program_.set("middle", middleOnGround(sheet_));
-  program_.set("extent", kGroundExtent * static_cast<float>(sheet_.size()));
+  program_.set("forward", look.forward);
+  program_.set("rightward", look.rightward);
+  program_.set("upward", look.upward);
+  program_.set("sky", look.sky);
+  program_.set("ground", look.ground);
+  program_.set("grid", look.grid);
+  program_.set("eye", look.eye);
+  program_.set("height", look.height);
+  program_.set("cell", look.cell);
+  program_.set("middle", look.middle);
+  program_.set("extent", look.extent);
   glBindVertexArray(nothing_.name());
   glDisable(GL_DEPTH_TEST);  // everything else is in front of it
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glEnable(GL_DEPTH_TEST);
+}
+
+/// Most of the time the camera stands: what is the same in two frames in a row is kept for those that follow.
+void SurroundingsPass::draw(const Frame& frame) {
+  if (!frame.options.ground || frame.options.over) return;
+  const Look look = lookOf(frame);
+  if (kept_ == look && KeptPicture::possible()) return picture_.show();
+  paint(look);
+  const bool stands = painted_ == look && KeptPicture::possible();
+  painted_ = look;
+  if (stands && picture_.keep(frame.pixels)) kept_ = look;
 }
 
 }  // namespace tyg

@@ -2,6 +2,9 @@
 // Must not know: where the particles are now (the ground lies where the sheet hung at the start).
 #pragma once
 
+#include <optional>
+
+#include "gfx/passes/kept_picture.h"
 #include "gfx/passes/pass.h"
 
 namespace tyg {
@@ -12,9 +15,21 @@ class SurroundingsPass final : public Pass {
   void draw(const Frame& frame) override;
 
  private:
+  /// All that the picture depends on.
+  struct Look {
+    glm::vec3 eye, forward, rightward, upward, sky, ground, grid;
+    float height, cell, extent;
+    glm::vec2 middle, pixels;
+    bool operator==(const Look&) const = default;
+  };
+  [[nodiscard]] Look lookOf(const Frame& frame) const;
+  void paint(const Look& look) const;
+
   const Sheet& sheet_;
   GlProgram program_{"surroundings"};
   GlVertexArray nothing_;  // the shader makes its one triangle itself
+  KeptPicture picture_;
+  std::optional<Look> painted_, kept_;
 };
 
 }  // namespace tyg

@@ -44,10 +44,11 @@ std::string gnuplotQuoted(const std::string& text) {
   return quoted + "\"";
 }
 
-std::string chartColour(std::size_t k) {
-  constexpr std::array<const char*, 7> kColours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                                "#E69F00", "#56B4E9", "#000000"};
-  return kColours.at(k % kColours.size());
+std::string chartColour(std::size_t k) { return fmt::format("#{:06x}", colourOfSeries(k).onLight); }
+
+int gnuplotType(Mark mark) {
+  constexpr std::array kTypes{8, 6, 4, 10, 12, 14};  // in the order of Mark
+  return kTypes.at(static_cast<std::size_t>(mark));
 }
 
 }  // namespace tyg

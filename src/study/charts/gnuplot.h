@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "study/charts/method_style.h"
+
 namespace tyg {
 
 struct GnuplotOutcome {
@@ -24,8 +26,9 @@ GnuplotOutcome runGnuplot(const std::filesystem::path& folder, const std::string
 /// (line breaks, quotes, backquotes, signs of comments and macros) as octal numbers.
 std::string gnuplotQuoted(const std::string& text);
 
-/// A colour for the k-th of several things, from the palette of Okabe and Ito (2008), which colour-blind people can
-/// tell apart; starts again after seven.
+/// colourOfSeries() on white, as gnuplot writes colours.
 std::string chartColour(std::size_t k);
+/// gnuplot's type of a hollow point with this mark; the next number is the filled one.
+int gnuplotType(Mark mark);
 
 }  // namespace tyg

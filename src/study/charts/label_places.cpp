@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace tyg {
 namespace {
 
 constexpr double kGap = 26;  // pixels between a point and its label
-constexpr double kOverlapCost = 1e5, kOutsideCost = 1e6, kLineCost = 120, kOrderCost = 100;
+constexpr double kOverlapCost = 1e5, kOutsideCost = 1e6, kLineCost = 120, kOrderCost = 100, kLeaderCost = 400;
 
 PixelBox boxAt(double left, double centre, const WantedLabel& label) {
   return {left, left + label.width, centre - label.height / 2, centre + label.height / 2};
@@ -22,7 +23,7 @@ std::vector<PixelBox> candidates(const WantedLabel& label) {
   for (int k = 0; k <= 24; ++k) {
     const int halves = k % 2 == 0 ? k / 2 : -(k + 1) / 2;
     const double shift = 0.5 * halves * label.height;
-    for (const double away : {kGap, 2.5 * kGap, 5 * kGap}) {
+    for (const double away : {kGap, 2.5 * kGap, 5 * kGap, 8 * kGap, 12 * kGap}) {
       boxes.push_back(boxAt(label.at.x + away, label.at.y + shift, label));
       boxes.push_back(boxAt(label.at.x - away - label.width, label.at.y + shift, label));
     }
@@ -61,9 +62,28 @@ bool PixelBox::meetsLine(const Pixel& a, const Pixel& b) const {
   return from <= to;
 }
 
+std::optional<Pixel> leaderTo(const PixelBox& box, const Pixel& at) {
+  constexpr double kAside = 6, kNear = 45;  // pixels
+  const double centre = (box.top + box.bottom) / 2, near = std::clamp(at.x, box.left - kAside, box.right + kAside);
+  if (std::hypot(near - at.x, centre - at.y) <= kNear) return std::nullopt;
+  return Pixel{near, near != at.x ? centre : centre < at.y ? box.bottom : box.top};
+}
+
 std::vector<PixelBox> placeLabels(const std::vector<WantedLabel>& wanted, const std::vector<std::vector<Pixel>>& lines,
                                   const std::vector<PixelBox>& taken, const PixelBox& bounds) {
   std::vector<PixelBox> placed, inTheWay = taken;
+  std::vector<std::pair<Pixel, Pixel>> leaders;  // of those that are placed
+  const auto leadersCrossed = [&](const PixelBox& box, const Pixel& at) {
+    const auto crosses = [](const PixelBox& label, const Pixel& from, const Pixel& to) {
+      return label.meetsLine(from, to) ? 1 : 0;
+    };
+    int count = 0;
+    for (const auto& [from, to] : leaders) count += crosses(box, from, to);
+    if (const auto tip = leaderTo(box, at)) {
+      for (const PixelBox& other : placed) count += crosses(other, at, *tip);
+    }
+    return count;
+  };
   /// Labels one above the other are to be in the order of their points.
   const auto outOfOrder = [&](const PixelBox& box, const Pixel& at) {
     int count = 0;
@@ -74,7 +94,7 @@ std::vector<PixelBox> placeLabels(const std::vector<WantedLabel>& wanted, const 
     return count;
   };
   const auto cost = [&](const PixelBox& box, const Pixel& at) {
-    double sum = distanceCost(at, box) + kOrderCost * outOfOrder(box, at);
+    double sum = distanceCost(at, box) + kOrderCost * outOfOrder(box, at) + kLeaderCost * leadersCrossed(box, at);
     if (box.left < bounds.left || box.right > bounds.right || box.top < bounds.top || box.bottom > bounds.bottom) {
       sum += kOutsideCost;
     }
@@ -95,6 +115,7 @@ std::vector<PixelBox> placeLabels(const std::vector<WantedLabel>& wanted, const 
     }
     placed.push_back(best);
     inTheWay.push_back(best);
+    if (const auto tip = leaderTo(best, label.at)) leaders.emplace_back(label.at, *tip);
   }
   return placed;
 }

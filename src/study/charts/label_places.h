@@ -2,6 +2,7 @@
 // Must not know: what is charted, how it is drawn.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 namespace tyg {
@@ -25,8 +26,11 @@ struct WantedLabel {
   double width = 0, height = 0;
 };
 
+/// Where the thin line from a point to its label ends, on the label; none where the label is near enough without one.
+std::optional<Pixel> leaderTo(const PixelBox& box, const Pixel& at);
+
 /// One box for each wanted label, in their order: inside `bounds`, clear of all other boxes where there is room, of
-/// `taken` ones, and as far as possible of the lines, and near its point.
+/// `taken` ones, and as far as possible of the lines, of the others' leaders, and near its point.
 std::vector<PixelBox> placeLabels(const std::vector<WantedLabel>& wanted, const std::vector<std::vector<Pixel>>& lines,
                                   const std::vector<PixelBox>& taken, const PixelBox& bounds);
 

@@ -21,6 +21,8 @@ constexpr double kLeft = 190, kRight = 50, kBottom = 140;
 constexpr double kHead = 150, kLegendRow = 44, kSampleWidth = 120, kCharacterWidth = 11.5;
 
 constexpr const char* kInk = "#000000";
+constexpr std::size_t kMarks = 6;  // along a curve
+constexpr double kMarkSize = 2;
 
 constexpr std::array kCoordinates{&Vec3::x, &Vec3::y, &Vec3::z};
 constexpr std::array kNames{"x", "y", "z"};
@@ -175,15 +177,15 @@ std::string subtitleOf(const Layout& layout) {
   return fmt::format("{}; {} {} not change", text, layout.still, layout.still.size() > 1 ? "do" : "does");
 }
 
-std::string colourOf(std::size_t run, const TrajectoryStudy& study) {
-  return run == study.finest ? "#b0b0b0" : chartColour(run);
-}
+MethodStyle lookOf(const Trajectory& run) { return styleOfMethod(run.method->name); }
+std::string colourOf(const Trajectory& run) { return chartColour(lookOf(run).colour); }
 
-/// The finest run is a broad band below the others' dashes, so that curves on top of each other all show.
+/// The finest run is a broad pale band below the others' dashes, so that curves on top of each other all show.
 std::string styleOf(std::size_t run, const TrajectoryStudy& study) {
   constexpr std::array kDashes{"(9,5)", "(3,3)", "(9,4,2,4)", "(16,5)"};
-  if (run == study.finest) return fmt::format("lw 9 dt 1 lc '{}'", colourOf(run, study));
-  return fmt::format("lw 4 dt {} lc '{}'", kDashes.at(run % kDashes.size()), colourOf(run, study));
+  const std::string colour = colourOf(study.runs[run]);
+  if (run == study.finest) return fmt::format("lw 9 dt 1 lc rgb '#90{}'", colour.substr(1));
+  return fmt::format("lw 4 dt {} lc rgb '{}'", kDashes.at(run % kDashes.size()), colour);
 }
 
 /// gnuplot's own key breaks its rows where it likes; this one keeps the order of the methods.
@@ -192,24 +194,29 @@ void addLegend(const Layout& layout, ChartScript& script) {
   const std::size_t columns = layout.legendColumns;
   const double entryWidth = (layout.width - kLeft - kRight) / double(std::max<std::size_t>(columns, 3));
   for (std::size_t k = 0; k < study.runs.size(); ++k) {
+    const Trajectory& run = study.runs[k];
     const std::size_t column = k % columns, row = k / columns;
     const Pixel at{kLeft + entryWidth * double(column), kHead + kLegendRow * double(row)};
     const double y = 1 - at.y / layout.height;
     script.add("  set arrow from screen {:.12g},{:.12g} to screen {:.12g},{:.12g} nohead {}\n", at.x / layout.width, y,
                (at.x + kSampleWidth - 30) / layout.width, y, styleOf(k, study));
-    script.label(nameOfRun(study.runs[k]), {at.x + kSampleWidth - 15, at.y}, {.colour = kInk});
+    script.point({at.x + (kSampleWidth - 30) / 2, at.y}, gnuplotType(lookOf(run).mark) + 1, kMarkSize, colourOf(run));
+    script.label(nameOfRun(run), {at.x + kSampleWidth - 15, at.y}, {.colour = kInk});
   }
 }
 
-/// A cross where a run that failed was last seen.
+/// The method's mark, hollow and with a cross in it, where a run that failed was last seen.
 void addCrosses(const TrajectoryStudy& study, std::size_t coordinate, std::size_t p, const Range& shown,
                 ChartScript& script) {
-  for (std::size_t k = 0; k < study.runs.size(); ++k) {
-    const Trajectory& run = study.runs[k];
+  for (const Trajectory& run : study.runs) {
     if (run.status == Status::Ok) continue;
     const double last = run.paths[p].back().*kCoordinates.at(coordinate);
-    script.add("  set label '' at first {:.12g},{:.12g} point pt 2 ps 2.5 lw 4 lc '{}' front\n", run.times.back(),
-               std::isfinite(last) ? std::clamp(last, shown.low, shown.high) : shown.high, colourOf(k, study));
+    const double height = std::isfinite(last) ? std::clamp(last, shown.low, shown.high) : shown.high;
+    constexpr int kCross = 2;
+    for (const auto& [type, size] : {std::pair{gnuplotType(lookOf(run).mark), 3.2}, {kCross, 1.6}}) {
+      script.add("  set label '' at first {:.12g},{:.12g} point pt {} ps {:g} lw 3 lc rgb '{}' front\n",
+                 run.times.back(), height, type, size, colourOf(run));
+    }
   }
 }
 
@@ -236,11 +243,15 @@ void addDistanceAxis(const TrajectoryStudy& study, std::size_t p, ChartScript& s
   script.add("  set yrange [1e{:g}:1e{:g}]\n", low, high);
 }
 
-/// The finest run first, below all others.
+/// The finest run first, below all others; then the marks of all, each at other times.
 void addCurves(const TrajectoryStudy& study, std::size_t p, int column, ChartScript& script) {
+  const auto rows = [&](std::size_t k, const std::string& which) {
+    script.add("'plot.csv' skip 1 using (strcol(1) eq '{}' && strcol(2) eq {}{} ? $3 : NaN):{} with ",
+               study.runs[k].method->name, gnuplotQuoted(study.particles[p].label), which, column);
+  };
   const auto curve = [&](std::size_t k) {
-    script.add("'plot.csv' skip 1 using (strcol(1) eq '{}' && strcol(2) eq {} ? $3 : NaN):{} with lines {}",
-               study.runs[k].method->name, gnuplotQuoted(study.particles[p].label), column, styleOf(k, study));
+    rows(k, "");
+    script.add("lines {}", styleOf(k, study));
   };
   script.add("  plot ");
   curve(study.finest);
@@ -248,6 +259,14 @@ void addCurves(const TrajectoryStudy& study, std::size_t p, int column, ChartScr
     if (k == study.finest) continue;
     script.add(", \\\n       ");
     curve(k);
+  }
+  for (std::size_t k = 0; k < study.runs.size(); ++k) {
+    const Trajectory& run = study.runs[k];
+    const std::size_t every = std::max<std::size_t>(run.times.size() / kMarks, 1);
+    const std::size_t first = every * (2 * k + 1) / (2 * study.runs.size());
+    script.add(", \\\n       ");
+    rows(k, fmt::format(" && int($0) % {} == {}", every, first));
+    script.add("points pt {} ps {:g} lc rgb '{}'", gnuplotType(lookOf(run).mark) + 1, kMarkSize, colourOf(run));
   }
   script.add("\n");
 }

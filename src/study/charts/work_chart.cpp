@@ -19,6 +19,7 @@ using Side = ChartScript::Side;
 
 constexpr double kArrow = 42, kCharacter = 14.2, kBeside = 225;  // pixels
 constexpr const char *kGrey = "#666666", *kInk = "#222222", *kSpatial = "#A03000";
+constexpr int kSpatialDash = 2;
 constexpr int kCross = 2, kPlus = 1, kDot = 7;  // gnuplot's point types
 
 /// What a method's curve looks like, the same in every chart whichever methods are in it.
@@ -29,9 +30,8 @@ struct Style {
 };
 
 Style styleOf(const std::string& method) {
-  constexpr std::array kHollow{8, 6, 4, 10, 12, 14};  // in the order of Mark
   const MethodStyle style = styleOfMethod(method);
-  const int hollow = kHollow.at(static_cast<std::size_t>(style.mark));
+  const int hollow = gnuplotType(style.mark);
   return {chartColour(style.colour), hollow + 1, hollow, style.dashed ? 2 : 1};
 }
 
@@ -101,9 +101,15 @@ void addLegend(const WorkChart& chart, double left, ChartScript& script) {
   for (const std::string& words : horizons) line("    " + words);
   if (!horizons.empty()) line("    past T* compare the energy's drift, below left, and past_horizon.csv");
   entry(kPlus, 1.5, "#888888", "below the floor: may be rounding, not the method");
-  entry(kCross, 2.0, kInk, "failed");
+  script.point({at.x + 20, at.y}, kCross, 1.3, kInk);
+  entry(6, 2.6, kInk, "failed");
   script.line(at, {at.x + 40, at.y}, {.colour = kInk, .width = 2.5, .head = true});
   line(fmt::format("finer steps take over {:g} s a run", chart.runBudget));
+  if (chart.spatial) {
+    script.line(at, {at.x + 40, at.y}, {.colour = kSpatial, .dash = kSpatialDash});
+    line(fmt::format("as {}x{} this cloth is this far away: smaller errors are not seen", chart.spatial->columns,
+                     chart.spatial->rows));
+  }
   if (chart.comparedDuration) entry(kDot, 1.4, "#b0b0b0", "the file compared with");
   const auto withoutForces = std::ranges::find_if(
       chart.rows, [](const WorkRow& row) { return row.status == RowStatus::Ok && row.forceEvaluations == 0; });
@@ -148,21 +154,16 @@ void addSlopes(const WorkChart& chart, const ChartPanel& panel, ChartScript& scr
 
 /// Horizontal lines: the floors, and a finer sheet's distance.
 void addLevels(const WorkChart& chart, const ChartPanel& panel, ChartScript& script) {
-  const auto level = [&](double value, const std::string& words, const char* colour, int dash, Side side) {
+  const auto level = [&](double value, const std::string& words, const char* colour, int dash) {
     const double y = heightAt(panel, value / chart.size);
     if (!(y > panel.top + panel.strip && y < panel.bottom)) return;
     script.line({panel.left, y}, {panel.right, y}, {.colour = colour, .dash = dash});
-    script.label(words, {side == Side::Left ? panel.left + 11 : panel.right, y - 16},
-                 {.colour = colour, .scale = 0.8, .side = side});
+    script.label(words, {panel.left + 11, y - 16}, {.colour = colour, .scale = 0.8});
   };
   const bool first = inSeconds(panel);
-  level(chart.floorOfFloat, first ? "floor of float" : "", kGrey, 3, Side::Left);
-  level(chart.floorOfDouble, first ? "floor of double" : "", kGrey, 3, Side::Left);
-  if (!chart.spatial) return;
-  const std::string words = fmt::format("as {}x{} this cloth is this far away: smaller errors are not seen",
-                                        chart.spatial->columns, chart.spatial->rows);
-  // At the right end of the right panel, where curves of force evaluations are seldom.
-  level(chart.spatial->distance, first ? "" : words, kSpatial, 2, Side::Right);
+  level(chart.floorOfFloat, first ? "floor of float" : "", kGrey, 3);
+  level(chart.floorOfDouble, first ? "floor of double" : "", kGrey, 3);
+  if (chart.spatial) level(chart.spatial->distance, "", kSpatial, kSpatialDash);  // the legend says what it is
 }
 
 /// Methods without a curve are named beside the strip of failures, one below the other.
@@ -224,10 +225,6 @@ InTheWay inTheWay(const WorkChart& chart, const ChartPanel& panel) {
     const double y = heightAt(panel, at / chart.size);
     found.lines.push_back({{panel.left, y}, {panel.right, y}});
   }
-  if (chart.spatial && !inSeconds(panel)) {
-    const double y = heightAt(panel, chart.spatial->distance / chart.size);
-    found.boxes.push_back({panel.right - 660, panel.right, y - 34, y + 2});
-  }
   return found;
 }
 
@@ -235,10 +232,7 @@ void addName(const PixelBox& box, const Pixel& end, const std::string& method, d
   const std::string colour = styleOf(method).colour;
   const double centre = (box.top + box.bottom) / 2;
   script.label(method, {box.left, centre}, {.colour = colour, .scale = scale});
-  const double near = std::clamp(end.x, box.left - 6, box.right + 6);
-  if (std::hypot(near - end.x, centre - end.y) <= 45) return;
-  const double y = near == end.x ? (centre < end.y ? box.bottom : box.top) : centre;
-  script.line(end, {near, y}, {.colour = pale(colour, "60"), .width = 1.2});
+  if (const auto tip = leaderTo(box, end)) script.line(end, *tip, {.colour = pale(colour, "60"), .width = 1.2});
 }
 
 /// A method's name at the end of its curve, and an arrow there where finer steps would take too long.
@@ -260,8 +254,7 @@ void addNames(const WorkChart& chart, const ChartPanel& panel, ChartScript& scri
     shown.push_back(method);
     wanted.push_back({at, scale * kCharacter * double(method.size()), scale * 34});
   }
-  const double lowest = ofErrors(panel) ? panel.bottom - 5 : panel.bottom + 20;
-  const PixelBox bounds{panel.left, panel.right + kBeside, panel.top + panel.strip + 12, lowest};
+  const PixelBox bounds{panel.left + 5, panel.right + kBeside, panel.top + panel.strip + 12, panel.bottom};
   const std::vector<PixelBox> boxes = placeLabels(wanted, avoided.lines, avoided.boxes, bounds);
   for (std::size_t k = 0; k < shown.size(); ++k) addName(boxes[k], wanted[k].at, shown[k], scale, script);
 }
@@ -285,7 +278,9 @@ void addCurve(const ChartPanel& panel, const std::string& method, Precision prec
   plot("past", fmt::format("points pt {} ps 0.9 lc rgb '{}'", kDot, doubtful));
   plot("below", fmt::format("points pt {} ps 1.5 lw 2 lc rgb '{}'", kPlus, doubtful));
   plot("trusted", points);
-  plot("failure", fmt::format("points pt 2 {} {}", isDouble ? "ps 2.2 lw 3" : "ps 1.3 lw 1.6", colour));
+  plot("failure",
+       fmt::format("points pt {} {} {}", style.hollow, isDouble ? "ps 2.6 lw 2.5" : "ps 1.8 lw 1.6", colour));
+  plot("failure", fmt::format("points pt {} {} {}", kCross, isDouble ? "ps 1.3 lw 2.5" : "ps 0.9 lw 1.6", colour));
 }
 
 /// The curves of the file compared with, wide and grey below all others.

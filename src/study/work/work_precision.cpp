@@ -71,13 +71,20 @@ std::vector<Series> seriesOf(const Scene& scene, const StudyPlan& plan) {
   return all;
 }
 
-/// Runs a scene for its error; `goesOn` is asked now and then, and what it stops is not finished.
-TimedRow errorRun(const Scene& scene, const Method& method, const Shared& shared, const std::function<bool()>& goesOn) {
+/// s that the next run of a series may take.
+double budgetOf(const Series& series, const StudyPlan& plan) {
+  const auto held = std::ranges::count(series.runs, RowStatus::Ok, [](const TimedRow& run) { return run.row.status; });
+  return (held < 2 ? StudyPlan::kUntilTwoHold : 1) * plan.runBudget;
+}
+
+/// Runs a scene for its error within a budget of s; `goesOn` is asked now and then, and what it stops is not finished.
+TimedRow errorRun(const Scene& scene, const Method& method, double budget, const Shared& shared,
+                  const std::function<bool()>& goesOn) {
   const StudyPlan& plan = shared.plan;
   const Reference& reference = shared.reference;
   const double start = plan.clock();
   const auto observer = [&](double) {
-    const bool late = plan.clock() - start > plan.runBudget;
+    const bool late = plan.clock() - start > budget;
     return goesOn() && !late;
   };
   const SampledMotion motion =
@@ -145,7 +152,7 @@ void climb(Series& series, Shared& shared, const std::function<bool()>& goesOn) 
   scene.dt = rung.dt;
   scene.tolerance = rung.tolerance;
   try {
-    TimedRow run = errorRun(scene, *series.method, shared, goesOn);
+    TimedRow run = errorRun(scene, *series.method, budgetOf(series, shared.plan), shared, goesOn);
     if (shared.progress.stopped()) return;
     run.rung = series.runs.size();
     series.runs.push_back(std::move(run));

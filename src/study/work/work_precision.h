@@ -16,7 +16,10 @@ namespace tyg {
 struct StudyPlan {
   std::vector<const Method*> methods;
   std::vector<Precision> precisions{Precision::Double, Precision::Float};
-  double runBudget = 1;    ///< s that one run may take; a ladder ends with the first run that takes longer
+  double runBudget = 1;  ///< s that one run may take; a ladder ends with the first run that takes longer. Runs may
+                         ///< take kUntilTwoHold times as long while fewer than two of the ladder's have held: a
+                         ///< method that holds with tiny steps alone is then seen to.
+  static constexpr double kUntilTwoHold = 4;
   double lowestError = 0;  ///< m; a ladder ends below it, and below the floor of double
   /// So many rungs of every ladder come before the rest of any, for those who watch the rows come; 0: one ladder after
   /// the other.

@@ -73,7 +73,7 @@ class LiveChart final : public Panel {
     if (under != nullptr && under->status == RowStatus::Ok && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
       adopt(viewer, settingOf(*under));
     }
-    words(scope, contents);
+    words(scope, contents, told.stage == Stage::Done);
   }
 
  private:
@@ -106,8 +106,8 @@ class LiveChart final : public Panel {
     ImGui::PopStyleColor();
   }
 
-  static void words(const PanelScope& scope, const ChartPlot::Contents& contents) {
-    const ChartAdvice advice = adviceOn(contents.rows, contents.present, contents.scale);
+  static void words(const PanelScope& scope, const ChartPlot::Contents& contents, bool finished) {
+    const ChartAdvice advice = adviceOn(contents.rows, contents.present, contents.scale, finished);
     paragraph(advice.present, scope.colours.text);
     const Pace& pace = scope.viewer.pace();
     if (scope.viewer.run().state() == RunState::Running && pace.realTime > 0 && pace.simulating > 0) {
@@ -118,7 +118,7 @@ class LiveChart final : public Panel {
     if (!advice.better.empty()) {
       paragraph(advice.better, scope.colours.good);
     } else if (std::isfinite(estimateOf(contents.rows, contents.present).error)) {
-      paragraph(contents.allMethods ? "Nothing measured so far is clearly cheaper or closer."
+      paragraph(contents.allMethods ? "No measured setting is faster or more accurate."
                                     : "Not every method has been measured yet.",
                 scope.colours.dim);
     }

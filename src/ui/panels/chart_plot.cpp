@@ -80,6 +80,24 @@ void drawMark(ImDrawList& list, Mark mark, ImVec2 at, float radius, Colour colou
   list.AddConvexPolyFilled(corners.data(), count, colour);
 }
 
+void drawCross(ImDrawList& list, ImVec2 at, float arm, Colour colour, float width) {
+  list.AddLine({at.x - arm, at.y - arm}, {at.x + arm, at.y + arm}, colour, width);
+  list.AddLine({at.x - arm, at.y + arm}, {at.x + arm, at.y - arm}, colour, width);
+}
+
+/// Of a run that failed: the method's mark, hollow, with a cross in it.
+void drawFailedMark(ImDrawList& list, Mark mark, ImVec2 at, float radius, Colour colour) {
+  int count = 0;
+  std::array<ImVec2, 5> corners = cornersOf(mark, count);
+  for (ImVec2& corner : corners) corner = {at.x + radius * corner.x, at.y + radius * corner.y};
+  if (count == 0) {
+    list.AddCircle(at, radius, colour, 16, 1.5F);
+  } else {
+    list.AddPolyline(corners.data(), count, colour, ImDrawFlags_Closed, 1.5F);
+  }
+  drawCross(list, at, 0.5F * radius, colour, 1.5F);
+}
+
 void drawLine(ImDrawList& list, ImVec2 from, ImVec2 to, Colour colour, float width, bool dashed) {
   if (!dashed) return list.AddLine(from, to, colour, width);
   constexpr float kDash = 5, kGap = 4;
@@ -231,10 +249,7 @@ void ChartPlot::drawCurves(const Layout& layout, const Contents& contents) const
     const MethodStyle style = styleOfMethod(row.integrator);
     const Colour colour = faded(layout.colour(style), shareOf(row.integrator));
     if (failed(row)) {
-      const ImVec2 at = layout.at(row);
-      const float arm = kMarkRadius * layout.scope.size;
-      layout.list.AddLine({at.x - arm, at.y - arm}, {at.x + arm, at.y + arm}, colour, 1.5F);
-      layout.list.AddLine({at.x - arm, at.y + arm}, {at.x + arm, at.y - arm}, colour, 1.5F);
+      drawFailedMark(layout.list, style.mark, layout.at(row), 1.3F * kMarkRadius * layout.scope.size, colour);
     }
     if (!shown(row)) continue;
     if (before != nullptr && before->integrator == row.integrator) {
@@ -252,13 +267,9 @@ void ChartPlot::drawPresent(const Layout& layout, const Contents& contents, cons
                   fails ? layout.top + 0.5F * layout.strip() : layout.y(1e3 * estimate.error)};
   const float radius = 0.5F * layout.scope.size;
   const MethodStyle style = styleOfMethod(contents.present.method->name);
-  layout.list.AddCircleFilled(at, radius, layout.scope.colours.text, 24);
-  layout.list.AddCircleFilled(at, 0.72F * radius, layout.colour(style), 24);
-  if (fails) {
-    const float arm = 0.4F * radius;
-    layout.list.AddLine({at.x - arm, at.y - arm}, {at.x + arm, at.y + arm}, layout.scope.colours.text, 2);
-    layout.list.AddLine({at.x - arm, at.y + arm}, {at.x + arm, at.y - arm}, layout.scope.colours.text, 2);
-  }
+  drawMark(layout.list, style.mark, at, radius, layout.scope.colours.text);
+  drawMark(layout.list, style.mark, at, 0.7F * radius, layout.colour(style));
+  if (fails) drawCross(layout.list, at, 0.3F * radius, layout.scope.colours.field, 2);
 }
 
 const WorkRow* ChartPlot::nearest(const Layout& layout, const Contents& contents) {

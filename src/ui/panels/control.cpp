@@ -18,6 +18,7 @@
 #include "core/scene/bodies.h"
 #include "core/scene/same_sides.h"
 #include "tyg/methods.h"
+#include "viewer/cure.h"
 #include "viewer/edits.h"
 #include "viewer/push.h"
 #include "viewer/viewer.h"
@@ -38,10 +39,8 @@ void name(const char* text, float size) {
   ImGui::SetNextItemWidth(-1);
 }
 
-/// What the item drawn last is for.
-void tip(const PanelScope& scope, const std::string& text) {
-  if (scope.tips && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
-}
+/// For sliders and fields that are dragged.
+constexpr const char* kTyped = "\nCtrl+click: type a number";
 
 void heading(const char* text, const char* explanation) {
   ImGui::Separator();
@@ -68,11 +67,11 @@ class ControlPanel final : public Panel {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {usual.x, kTight * usual.y});
     drawScene(scope, wanted);
     drawEdits(scope, wanted);
-    heading("Motion", "changes at once");
+    heading("Motion", "(live)");
     drawStepping(scope, wanted);
     drawSprings(scope, wanted);
     drawWorld(scope, wanted);
-    heading("Sheet", "a change starts it anew");
+    heading("Sheet", "(restarts)");
     drawSheet(scope, wanted);
     ImGui::PopStyleVar();
     holdTolerance(wanted);
@@ -117,18 +116,21 @@ class ControlPanel final : public Panel {
       for (const Method& method : methods()) {
         const std::string text(method.name);
         if (ImGui::Selectable(text.c_str(), text == wanted.integrator)) wanted.integrator = text;
+        tip(scope, aboutMethod(method));
       }
       ImGui::EndCombo();
+    } else {
+      tip(scope, aboutMethod(findMethod(wanted.integrator)));
     }
     const bool adaptive = findMethod(wanted.integrator).adaptive;
-    name(adaptive ? "tick" : "step", scope.size);
+    name(adaptive ? "interval" : "step", scope.size);
     if (slider("##step", wanted.dt, 1e3, {kShortestMs, kLongestMs}, "%.4g ms")) {
       wanted.dt = std::clamp(wanted.dt, kShortestMs * 1e-3, kLongestMs * 1e-3);
     }
-    if (adaptive) {
-      tip(scope, "Time goes on in ticks. Within a tick " + wanted.integrator +
-                     " chooses its\nown steps, as small as the tolerance asks.");
-    }
+    tip(scope, (adaptive ? "The output interval: within it " + wanted.integrator +
+                               " chooses\nits own steps, as small as the tolerance asks."
+                         : "The time from one state to the next: a larger step\nis faster and less accurate.") +
+                   kTyped);
     drawStepMargin(scope);
     drawTolerance(scope, wanted);
     drawPush(scope);
@@ -166,14 +168,19 @@ class ControlPanel final : public Panel {
                           : band == MarginBand::Close ? colours.warning
                                                       : colours.past;
     const ImVec4 ink = ImGui::ColorConvertU32ToFloat4(colour);
-    ImGui::TextColored(ink, "%.2f of the limit of %.3g ms", margin.share(), 1e3 * margin.limit);
+    if (band == MarginBand::Past) {
+      ImGui::TextColored(ink, "%.3g times the limit, %.3g ms", margin.share(), 1e3 * margin.limit);
+    } else {
+      ImGui::TextColored(ink, "%.0f %% of the limit, %.3g ms", 100 * margin.share(), 1e3 * margin.limit);
+    }
   }
 
   static void drawTolerance(const PanelScope& scope, Scene& wanted) {
     if (!findMethod(wanted.integrator).adaptive) return;
     name("tolerance", scope.size);
-    if (!slider("##tolerance", wanted.tolerance, 1e3, {kFinestMm, kCoarsestMm}, "%.3g mm")) return;
-    wanted.tolerance = std::max(wanted.tolerance, kFinestMm * 1e-3);
+    const bool moved = slider("##tolerance", wanted.tolerance, 1e3, {kFinestMm, kCoarsestMm}, "%.3g mm");
+    tip(scope, std::string("The error that one step may make.") + kTyped);
+    if (moved) wanted.tolerance = std::max(wanted.tolerance, kFinestMm * 1e-3);
   }
 
   static void drawPush(const PanelScope& scope) {
@@ -182,6 +189,7 @@ class ControlPanel final : public Panel {
     double factor = scope.viewer.tools().strength();
     if (slider("##push", factor, usual, {0.01 * usual, 100 * usual}, "%.3g N"))
       scope.viewer.tools().setStrength(factor);
+    tip(scope, std::string("The force of a click on the cloth.") + kTyped);
   }
 
   void drawSheet(const PanelScope& scope, Scene& wanted) {
@@ -198,10 +206,12 @@ class ControlPanel final : public Panel {
     if (ImGui::Combo("##precision", &precision, kPrecisions.data(), int(kPrecisions.size()))) {
       wanted.precision = static_cast<Precision>(precision);
     }
+    tip(scope, "How exact numbers are: float is faster, double rounds less.");
     name("damping", scope.size);
     constexpr std::array kLaws{"of relative velocity", "along the spring"};
     int law = static_cast<int>(wanted.damping);
     if (ImGui::Combo("##law", &law, kLaws.data(), int(kLaws.size()))) wanted.damping = static_cast<Damping>(law);
+    tip(scope, "What dampers resist: every difference in velocity,\nor only what changes a spring's length.");
   }
 
   /// What does not fit is told.
@@ -215,8 +225,12 @@ class ControlPanel final : public Panel {
     }
     try {
       const Grid grid = withBothSides(wanted, {size_[0], size_[1]});
-      const Scene resized = withSheet(wanted, grid.columns, grid.rows);
+      Scene resized = withSheet(wanted, grid.columns, grid.rows);
       refuseUnfitBodies(resized);
+      if (const std::string said = takeStepThatHolds(resized); !said.empty()) {
+        if (!clamped_.empty()) clamped_ += "; ";
+        clamped_ += said;
+      }
       wanted = resized;
     } catch (const InputError& error) {
       viewer.notes().warn(error.what());
@@ -255,6 +269,9 @@ class ControlPanel final : public Panel {
         ImGui::TableSetColumnIndex(parameter.role == Role::Stiffness ? 1 : 2);
         ImGui::SetNextItemWidth(-1);
         field(parameter, "", wanted);
+        tip(scope,
+            fmt::format("{} in {}, {} in scene files{}", parameter.role == Role::Stiffness ? "stiffness" : "damping",
+                        unitText(parameter.unit), parameter.key, kTyped));
       }
     }
     ImGui::EndTable();
@@ -294,7 +311,8 @@ class ControlPanel final : public Panel {
         const std::string_view called = parameter.nameIn != nullptr ? parameter.nameIn(wanted) : "";
         name(parameter.isSpeed ? "" : std::string(called.empty() ? parameter.label : called).c_str(), scope.size);
         field(parameter, unitText(parameter.unit), wanted);
-        if (parameter.count == 3) tip(scope, "along x, y (up) and z");
+        tip(scope, fmt::format("{}{} in scene files{}", parameter.count == 3 ? "along x, y (up) and z, " : "",
+                               parameter.key, kTyped));
         if (!acts) ImGui::EndDisabled();
       }
     }
@@ -334,7 +352,8 @@ class ControlPanel final : public Panel {
 
   static void save(Viewer& viewer) {
     try {
-      viewer.notes().say(saveScene(viewer).string() + " is kept.");
+      const std::filesystem::path file = std::filesystem::absolute(saveScene(viewer));
+      viewer.notes().say("saved to " + file.string(), viewer.run().now() + Notes::kFiles);
     } catch (const std::exception& error) {
       viewer.notes().warn(error.what());
     }

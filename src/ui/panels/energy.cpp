@@ -71,12 +71,14 @@ class EnergyPanel final : public Panel {
     series_.cut(newest);
     if (viewer.run().simulation().status() != Status::Ok || viewer.run().seeking()) return;
     ledger_ = viewer.run().ledger();
-    if (newest < since_) since_ = time, before_ = ledger_.dissipated;
+    const bool begins = newest < since_;
+    if (begins) since_ = time, before_ = ledger_.dissipated;
     ledger_.dissipated -= before_;
     std::array<float, kChannels> values{};
     if (series_.size() <= 1) works_.clear();  // a run that begins
     addNames(ledger_, works_);
     for (const Amount& amount : amountsOf(ledger_, works_)) values.at(amount.channel) = float(amount.joules);
+    if (begins) zero_ = values;
     values[Drift] = float(ledger_.drift);
     series_.add(time, values);
   }
@@ -94,15 +96,18 @@ class EnergyPanel final : public Panel {
     std::vector<RunningCurve> curves;
     curves.reserve(amounts.size());
     for (const Amount& amount : amounts) {
-      curves.push_back({amount.name, amount.channel, seriesColour(curves.size(), scope.background)});
+      const Colour colour = seriesColour(curves.size(), scope.background);
+      curves.push_back(
+          {.name = amount.name, .channel = amount.channel, .colour = colour, .zero = zero_.at(amount.channel)});
     }
-    runningPlot(scope, {"energy", "J", kPlotHeight * scope.size}, series_, curves);
+    runningPlot(scope, {"change of energy", "J", kPlotHeight * scope.size}, series_, curves);
     names(scope, amounts);
     const std::array drift{RunningCurve{.name = "drift", .channel = Drift, .colour = scope.colours.text, .scale = 100}};
     runningPlot(scope, {"drift of their sum", "% of the largest energy", kDriftHeight * scope.size, kLeastDrift},
                 series_, drift);
     if (since_ == kNever) return paragraph("Nothing is counted while the cloth has failed.", scope.colours.dim);
-    if (since_ > 0) paragraph(fmt::format("Dissipation and drift count from {:.2f} s.", since_), scope.colours.dim);
+    if (since_ > 0)
+      paragraph(fmt::format("Changes, dissipation and drift: counted since {:.2f} s", since_), scope.colours.dim);
     bonds(scope, amounts);
   }
 
@@ -252,10 +257,11 @@ class EnergyPanel final : public Panel {
   Viewer* viewer_ = nullptr;  ///< whose ledger is being followed
   RunningSeries series_{kChannels, kWindow};
   WorkNames works_;
-  Ledger ledger_;          ///< with what was dissipated since then:
-  double since_ = kNever;  ///< s
-  double before_ = 0;      ///< J, dissipated until then as the simulation counts
-  double most_ = 0;        ///< W, the widest bond
+  Ledger ledger_;                        ///< with what was dissipated since then:
+  double since_ = kNever;                ///< s
+  double before_ = 0;                    ///< J, dissipated until then as the simulation counts
+  std::array<float, kChannels> zero_{};  ///< J, of each channel then
+  double most_ = 0;                      ///< W, the widest bond
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "ui/panels/style.h"
@@ -14,6 +15,7 @@ namespace tyg {
 
 class Edits;
 class Viewer;
+struct Method;
 struct Sheet;
 struct WindowEvent;
 
@@ -27,6 +29,11 @@ struct PanelScope {
   bool tips;                 ///< tooltips show: the mouse has just come to rest, and nothing is held or typed
   Colouring::By colouredBy;  ///< what the colours on the cloth are by, of whichever panel
 };
+
+/// What a method is, in a line or two.
+std::string aboutMethod(const Method& method);
+/// Tells what the item drawn last is for, where tooltips show.
+void tip(const PanelScope& scope, const std::string& text);
 
 /// How the cloth is drawn in a frame, for panels that show something on it.
 struct ClothPicture {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace tyg {
 namespace {
@@ -30,6 +31,26 @@ std::size_t slotOf(InputAction action) {
 bool clicked() {
   const ImVec2 way = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left);
   return ImGui::IsMouseReleased(ImGuiMouseButton_Left) && way.x == 0 && way.y == 0;
+}
+
+/// From here on all that ImGui writes goes to the clipboard too; first what the foot of the window says.
+void beginCopy(const Viewer& viewer) {
+  StepText step;
+  MarginText margin;
+  viewer.scenes().describeStep(step);
+  describe(viewer.run().margin(), margin);
+  ImGui::LogToClipboard();
+  ImGui::LogText("%s, %s, t = %.6g s\n%s\n", std::string(viewer.scenes().method().name).c_str(), step.data(),
+                 viewer.run().shown().time(), margin.data());
+  const std::string& failure = viewer.run().failure().message();
+  if (!failure.empty()) ImGui::LogText("%s\n", failure.c_str());
+}
+
+void endCopy(Viewer& viewer) {
+  ImGui::LogFinish();
+  const bool leavesTheWindow = ImGui::GetIO().ClipboardUserData != nullptr;  // freeglut has no clipboard
+  viewer.notes().say(leavesTheWindow ? "What the window's foot and the open panels say is copied."
+                                     : "Copied, but only for fields of this window: freeglut has no clipboard.");
 }
 
 }  // namespace
@@ -64,7 +85,11 @@ bool Panels::handle(const WindowEvent& event, Viewer& viewer) {
     return true;
   }
   const Input* input = findInput(event.key);
-  if (input == nullptr || slotOf(input->action) == slots_.size()) return false;
+  if (input == nullptr) return false;
+  if (input->action == InputAction::Undo) return edits_.undo(viewer), true;
+  if (input->action == InputAction::Redo) return edits_.redo(viewer), true;
+  if (input->action == InputAction::Copy) return copyAsked_ = true;
+  if (slotOf(input->action) == slots_.size()) return false;
   toggle(input->action);
   return true;
 }
@@ -75,6 +100,8 @@ void Panels::handleControl(const WindowEvent& event, Viewer& viewer) {
     edits_.redo(viewer);
   } else if (event.key == 'Z') {
     edits_.undo(viewer);
+  } else if (event.key == 'C') {
+    copyAsked_ = true;
   }
 }
 
@@ -121,6 +148,17 @@ float Panels::textSize(const PanelKind& kind) const {
 
 float Panels::widthOf(const PanelKind& kind) const { return std::round(kind.width * textSize(kind)); }
 
+/// Folded ones are as wide as those below and above them.
+float Panels::widthOf(std::size_t which) const {
+  const PanelKind& kind = panelTable()[which];
+  if (!slots_[which].folded) return widthOf(kind);
+  float widest = 0;
+  for (const std::size_t other : order_) {
+    if (isAtEdge(other, kind.edge) && !slots_[other].folded) widest = std::max(widest, widthOf(panelTable()[other]));
+  }
+  return widest > 0 ? widest : widthOf(kind);
+}
+
 bool Panels::isAtEdge(std::size_t which, Edge edge) const {
   return slots_[which].open && !slots_[which].dragged && panelTable()[which].edge == edge;
 }
@@ -149,9 +187,12 @@ bool Panels::busy() const {
 void Panels::draw(Viewer& viewer) {
   watchMouse();
   arrange(Edge::Left), arrange(Edge::Right);
+  const bool copies = std::exchange(copyAsked_, false);
+  if (copies) beginCopy(viewer);
   for (std::size_t which = 0; which < slots_.size(); ++which) {
     if (slots_[which].open) drawOne(which, viewer);
   }
+  if (copies) endCopy(viewer);
 }
 
 void Panels::watchMouse() {
@@ -192,7 +233,7 @@ void Panels::arrange(Edge edge) {
 void Panels::placeNext(std::size_t which) {
   const PanelKind& kind = panelTable()[which];
   Slot& slot = slots_[which];
-  const float width = widthOf(kind), side = kSide * size_;
+  const float width = widthOf(which), side = kSide * size_;
   const float x = std::round(kind.edge == Edge::Left ? side : ImGui::GetIO().DisplaySize.x - width - side);
   // Only where its position has changed: ImGui moves a window that is being dragged before this.
   if (!slot.dragged && (x != slot.x || std::round(slot.top) != slot.y)) {

@@ -18,7 +18,8 @@ class Panels {
 
   /// What the person did, but for keys that go to a text field. A press of the mouse on a panel is ImGui's; a panel's
   /// key opens or closes it, Esc closes the one opened last, Ctrl+Z undoes the last change of the scene, Ctrl+Y and
-  /// Ctrl+Shift+Z do it again. True where that was all; false where the event is for the viewer.
+  /// Ctrl+Shift+Z do it again, Ctrl+C copies what the panels and the window's foot say. True where that was all; false
+  /// where the event is for the viewer.
   bool handle(const WindowEvent& event, Viewer& viewer);
   void toggle(InputAction action);
   [[nodiscard]] bool isOpen(InputAction action) const;
@@ -63,7 +64,9 @@ class Panels {
   [[nodiscard]] bool isAtEdge(std::size_t which, Edge edge) const;
   [[nodiscard]] float textSize(const PanelKind& kind) const;
   [[nodiscard]] float widthOf(const PanelKind& kind) const;
+  [[nodiscard]] float widthOf(std::size_t which) const;
 
+  bool copyAsked_ = false;
   float size_;
   float floor_ = 1e6F;
   double rested_ = -1e6;                              ///< s, ImGui's time at which the mouse last moved

@@ -9,14 +9,15 @@
 
 namespace tyg {
 
-/// One curve: a channel of the series, multiplied by `scale`. NaN is a gap.
+/// One curve: a channel of the series from `zero` on, multiplied by `scale`. NaN is a gap.
 struct RunningCurve {
   std::string name;
   std::size_t channel = 0;
   Colour colour = 0;
   float scale = 1;
+  float zero = 0;
   [[nodiscard]] double value(const RunningSeries& series, std::size_t k) const {
-    return double(scale) * double(series.value(k, channel));
+    return double(scale) * (double(series.value(k, channel)) - double(zero));
   }
 };
 

@@ -85,6 +85,8 @@ void ScenePictures::draw(Entry& entry, Background background) const {
   DrawOptions options;
   options.background = background;
   options.bodies = bodies;
+  options.show = entry.scene.look.show;
+  followLook(entry.scene, options);
   entry.picture->draw([&] { renderer.draw(entry.xyz, camera, {width_, height_}, options); });
   entry.drawnOn = background;
 }

@@ -45,8 +45,11 @@ class StretchPanel final : public Panel {
     const bool shown = scope.colouredBy == Colouring::By::Strain;
     if (shown) colourBar(scope, Ramp::Balanced, -100 * top_, 100 * top_, beyond_ ? "% and beyond" : "%");
     table(scope);
-    paragraph(shown ? "Springs that are longer than at rest are warm, shorter ones cold."
-                    : "The colours on the cloth are those of another panel.",
+    const bool onSurface = scope.viewer.view().drawOptions().show != Show::Lines;
+    paragraph(!shown      ? "The colours on the cloth are those of another panel."
+              : onSurface ? "Springs that are longer than at rest are warm, shorter ones cold. The surface shows the "
+                            "structural spring of each particle whose length has changed most."
+                          : "Springs that are longer than at rest are warm, shorter ones cold.",
               scope.colours.dim);
   }
 

@@ -3,8 +3,9 @@
 
 #include <imgui.h>
 
-#include <array>
 #include <cmath>
+
+#include "study/charts/method_style.h"
 
 namespace tyg {
 namespace {
@@ -28,16 +29,6 @@ constexpr Colours kOnLight{.text = IM_COL32(28, 32, 40, 255),
                            .panel = IM_COL32(250, 251, 253, 240),
                            .field = IM_COL32(226, 230, 238, 255)};
 
-using Series = std::array<Colour, 7>;
-// Of Okabe and Ito's two oranges the yellow one gives way to their yellow, darker on light.
-constexpr Series kSeriesOnLight{IM_COL32(0, 114, 178, 255),   IM_COL32(200, 70, 0, 255),  IM_COL32(0, 158, 115, 255),
-                                IM_COL32(204, 121, 167, 255), IM_COL32(190, 165, 0, 255), IM_COL32(86, 180, 233, 255),
-                                IM_COL32(0, 0, 0, 255)};
-// A little lighter, or they would sink into the dark; black becomes white.
-constexpr Series kSeriesOnDark{IM_COL32(50, 140, 216, 255),  IM_COL32(230, 100, 20, 255), IM_COL32(0, 170, 125, 255),
-                               IM_COL32(222, 144, 188, 255), IM_COL32(240, 228, 66, 255), IM_COL32(126, 205, 250, 255),
-                               IM_COL32(255, 255, 255, 255)};
-
 ImVec4 unpacked(Colour colour, float share = 1) {
   ImVec4 result = ImGui::ColorConvertU32ToFloat4(colour);
   result.w *= share;
@@ -49,10 +40,11 @@ ImVec4 unpacked(Colour colour, float share = 1) {
 const Colours& coloursOn(Background background) { return background == Background::Dark ? kOnDark : kOnLight; }
 
 Colour seriesColour(std::size_t k, Background background) {
-  const Series& series = background == Background::Dark ? kSeriesOnDark : kSeriesOnLight;
-  const Colour colour = series.at(k % series.size());
-  constexpr float kSecondRound = 0.55F;  // of the colour, so that a longer list repeats none
-  return k < series.size() ? colour : faded(colour, kSecondRound);
+  const SeriesColour& both = colourOfSeries(k);
+  const std::uint32_t rgb = background == Background::Dark ? both.onDark : both.onLight;
+  const Colour colour = IM_COL32(rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255, 255);
+  constexpr float kLaterRounds = 0.55F;  // of the colour, so that a longer list repeats none
+  return k < kSeriesColours ? colour : faded(colour, kLaterRounds);
 }
 
 Colour faded(Colour colour, float share) { return ImGui::ColorConvertFloat4ToU32(unpacked(colour, share)); }

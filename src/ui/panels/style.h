@@ -26,8 +26,7 @@ struct Colours {
 };
 const Colours& coloursOn(Background background);
 
-/// The colour of the k-th of several curves or families: Okabe and Ito (2008), which the colour-blind can tell apart,
-/// in the order of the charts' colours; after seven they begin anew.
+/// colourOfSeries(), the k-th of several curves, families or methods.
 Colour seriesColour(std::size_t k, Background background);
 /// The same colour, with this share (0..1) of its opacity.
 Colour faded(Colour colour, float share);

@@ -27,7 +27,7 @@ class TracesPanel final : public Panel {
     if (sheet_ != viewer.scenes().sheetsSoFar()) {
       sheet_ = viewer.scenes().sheetsSoFar();
       particles_ = {};
-      particles_[0] = particleAt(viewer.run().simulation().sheet(), Place{.name = "bottom-left"});
+      particles_[0] = firstOne(viewer.run().simulation().sheet());
       series_.clear();
     }
     std::array<float, 3 * kMost> values{};
@@ -80,6 +80,14 @@ class TracesPanel final : public Panel {
  private:
   static constexpr float kHeight = 6;  ///< text sizes, of each plot
 
+  /// The first of the named ones that is free to move.
+  static int firstOne(const Sheet& sheet) {
+    for (const char* name : {"bottom-left", "bottom-right", "middle", "top-left", "top-right"}) {
+      const int particle = particleAt(sheet, Place{.name = name});
+      if (!std::ranges::binary_search(sheet.pins, particle)) return particle;
+    }
+    return 0;
+  }
   static std::string nameOf(int particle, const Viewer& viewer) {
     const int columns = viewer.run().simulation().sheet().columns;
     return fmt::format("[{}, {}]", particle % columns, particle / columns);

@@ -40,6 +40,7 @@ class Window {
   /// Shows what was drawn; waits for the screen where it has a rhythm.
   virtual void swap() = 0;
   virtual void setTitle(const std::string& title) = 0;
+  virtual void toggleFullScreen() = 0;  ///< all of the screen, and back to where it was
   [[nodiscard]] virtual Extent framebuffer() const = 0;
   [[nodiscard]] virtual double contentScale() const = 0;  ///< of texts on this screen; 1 on an ordinary one
   [[nodiscard]] virtual bool closeRequested() const = 0;  ///< the window's own close button was used
@@ -49,6 +50,8 @@ class Window {
   virtual void attachOverlay() = 0;
   virtual void beginOverlayFrame() = 0;
   virtual void detachOverlay() = 0;
+  /// The person did more than the overlay's last frame could take: another frame is to follow at once.
+  [[nodiscard]] virtual bool overlayBehind() const = 0;
 };
 
 /// Each opens a window whose context is current and whose OpenGL functions are loaded. One window at a time.

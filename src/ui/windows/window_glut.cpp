@@ -18,6 +18,7 @@
 #include <thread>
 #include <vector>
 
+#include "ui/windows/overlay_inputs.h"
 #include "ui/windows/window.h"
 
 // Xlib's macro would hide everything of that name.
@@ -26,8 +27,9 @@
 namespace tyg {
 namespace {
 
-constexpr int kSamples = 4;
 constexpr std::size_t kEventsToExpect = 256;
+/// Of keys, as ImGui's part for GLUT counts them.
+constexpr int kDelete = 127, kSpecial = 256;
 /// Between looks at the focus while a key is down.
 constexpr std::chrono::milliseconds kNap{5};
 
@@ -99,6 +101,9 @@ class GlutWindow final : public Window {
   void swap() override {
     if (!closed_) glutSwapBuffers();
   }
+  void toggleFullScreen() override {
+    if (!closed_) glutFullScreenToggle();
+  }
   void setTitle(const std::string& title) override {
     if (!closed_) glutSetWindowTitle(title.c_str());
   }
@@ -116,6 +121,7 @@ class GlutWindow final : public Window {
     overlay_ = true;
   }
   void beginOverlayFrame() override {
+    inputs_.give(ImGui::GetIO());
     ImGui_ImplGLUT_NewFrame();
     if constexpr (IMGUI_VERSION_NUM >= 18960) ImGui::NewFrame();  // older ones start the frame in the line above
   }
@@ -123,6 +129,7 @@ class GlutWindow final : public Window {
     overlay_ = false;
     ImGui_ImplGLUT_Shutdown();
   }
+  [[nodiscard]] bool overlayBehind() const override { return inputs_.waiting(); }
 
  private:
   void open(const WindowOptions& options) {
@@ -133,12 +140,9 @@ class GlutWindow final : public Window {
     const XErrorHandler before = XSetErrorHandler(onXError);
     glutInit(&count, arguments.data());
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_CONTINUE_EXECUTION);
-    glutSetOption(GLUT_MULTISAMPLE, kSamples);
     glutInitContextVersion(3, 3);
     glutInitContextProfile(GLUT_CORE_PROFILE);
-    constexpr unsigned kMode = GLUT_RGBA | GLUT_DOUBLE | GLUT_DEPTH;
-    glutInitDisplayMode(kMode | GLUT_MULTISAMPLE);
-    if (glutGet(GLUT_DISPLAY_MODE_POSSIBLE) == 0) glutInitDisplayMode(kMode);  // some displays have no multisampling
+    glutInitDisplayMode(GLUT_RGBA | GLUT_DOUBLE | GLUT_DEPTH);
     glutInitWindowSize(options.size.width, options.size.height);
     window_ = glutCreateWindow(options.title.c_str());
     XSetErrorHandler(before);
@@ -157,24 +161,25 @@ class GlutWindow final : public Window {
       if (theWindow != nullptr) theWindow->closed_ = true;
     });
     glutKeyboardFunc([](unsigned char key, int x, int y) {
-      if (theWindow->overlay_) ImGui_ImplGLUT_KeyboardFunc(key, x, y);
+      theWindow->tellOverlay(key, true, [&] { ImGui_ImplGLUT_KeyboardFunc(key, x, y); });
       theWindow->key(WindowEvent::Kind::Press, key);
     });
     glutKeyboardUpFunc([](unsigned char key, int x, int y) {
-      if (theWindow->overlay_) ImGui_ImplGLUT_KeyboardUpFunc(key, x, y);
+      theWindow->tellOverlay(key, false, [&] { ImGui_ImplGLUT_KeyboardUpFunc(key, x, y); });
       theWindow->key(WindowEvent::Kind::Release, key);
     });
     glutSpecialFunc([](int key, int x, int y) {
-      if (theWindow->overlay_) ImGui_ImplGLUT_SpecialFunc(key, x, y);
-      theWindow->functionKey(WindowEvent::Kind::Press, key);
+      theWindow->tellOverlay(kSpecial + key, true, [&] { ImGui_ImplGLUT_SpecialFunc(key, x, y); });
+      theWindow->specialKey(WindowEvent::Kind::Press, key);
     });
     glutSpecialUpFunc([](int key, int x, int y) {
-      if (theWindow->overlay_) ImGui_ImplGLUT_SpecialUpFunc(key, x, y);
-      theWindow->functionKey(WindowEvent::Kind::Release, key);
+      theWindow->tellOverlay(kSpecial + key, false, [&] { ImGui_ImplGLUT_SpecialUpFunc(key, x, y); });
+      theWindow->specialKey(WindowEvent::Kind::Release, key);
     });
     glutMouseFunc([](int button, int state, int x, int y) { theWindow->button(button, state, x, y); });
     glutMouseWheelFunc([](int wheel, int direction, int x, int y) {
-      if (theWindow->overlay_) ImGui_ImplGLUT_MouseWheelFunc(wheel, direction, x, y);
+      theWindow->inputs_.wheel(float(direction));
+      if (theWindow->overlay_ && !OverlayInputs::needed()) ImGui_ImplGLUT_MouseWheelFunc(wheel, direction, x, y);
       theWindow->events_.push_back({.kind = WindowEvent::Kind::Scroll, .key = kWheel, .notches = double(direction)});
     });
     glutMotionFunc(onMove);
@@ -182,13 +187,17 @@ class GlutWindow final : public Window {
   }
 
   static void onMove(int x, int y) {
-    if (theWindow->overlay_) ImGui_ImplGLUT_MotionFunc(x, y);
+    theWindow->inputs_.move(float(x), float(y));
+    if (theWindow->overlay_ && !OverlayInputs::needed()) ImGui_ImplGLUT_MotionFunc(x, y);
     theWindow->events_.push_back({.kind = WindowEvent::Kind::Move, .x = double(x), .y = double(y)});
   }
   void button(int button, int state, int x, int y) {
     constexpr std::array kButtons{kLeftButton, kMiddleButton, kRightButton};  // freeglut's order
-    if (overlay_) ImGui_ImplGLUT_MouseFunc(button, state, x, y);
+    if (overlay_ && !OverlayInputs::needed()) ImGui_ImplGLUT_MouseFunc(button, state, x, y);
     if (button < 0 || button > 2) return;
+    constexpr std::array kImGuiButtons{0, 2, 1};
+    inputs_.move(float(x), float(y));
+    inputs_.button(kImGuiButtons[static_cast<std::size_t>(button)], state == GLUT_DOWN);
     const auto kind = state == GLUT_DOWN ? WindowEvent::Kind::Press : WindowEvent::Kind::Release;
     const KeyCode code = kButtons[static_cast<std::size_t>(button)];
     const int modifiers = glutGetModifiers();
@@ -199,9 +208,37 @@ class GlutWindow final : public Window {
                        .control = (modifiers & GLUT_ACTIVE_CTRL) != 0,
                        .shift = (modifiers & GLUT_ACTIVE_SHIFT) != 0});
   }
-  void functionKey(WindowEvent::Kind kind, int key) {
-    if (key < GLUT_KEY_F1 || key >= GLUT_KEY_F1 + kFunctionKeys) return;
-    events_.push_back({.kind = kind, .key = static_cast<KeyCode>(kFirstFunctionKey + key - GLUT_KEY_F1)});
+  /// `direct` tells ImGui itself, where it has a queue. Codes are those of ImGui's part for GLUT.
+  template <class Direct>
+  void tellOverlay(int code, bool down, const Direct& direct) {
+    if (!overlay_ || !OverlayInputs::needed()) return overlay_ ? direct() : void();
+    const int modifiers = glutGetModifiers();
+    const OverlayInputs::Modifiers held{.control = (modifiers & GLUT_ACTIVE_CTRL) != 0,
+                                        .shift = (modifiers & GLUT_ACTIVE_SHIFT) != 0,
+                                        .alt = (modifiers & GLUT_ACTIVE_ALT) != 0};
+    const bool writes = code >= ' ' && code < kDelete;
+    if (code >= 'a' && code <= 'z') {
+      inputs_.key(code - 'a' + 'A', down, false, held);
+    } else if (held.control && code >= 1 && code <= 26) {  // control and Z come as the 26th character
+      inputs_.key(code - 1 + 'A', down, true, held);
+    } else {
+      inputs_.key(code, down, !writes, held);
+    }
+    if (down && (writes || (code > kDelete && code < kSpecial))) inputs_.text(static_cast<unsigned>(code));
+  }
+  void specialKey(WindowEvent::Kind kind, int key) {
+    constexpr std::array kArrows{kLeftKey, kUpKey, kRightKey, kDownKey};  // freeglut's order
+    KeyCode code = 0;
+    if (key >= GLUT_KEY_F1 && key < GLUT_KEY_F1 + kFunctionKeys) code = functionKey(key - GLUT_KEY_F1 + 1);
+    if (key >= GLUT_KEY_LEFT && key <= GLUT_KEY_DOWN) code = kArrows[static_cast<std::size_t>(key - GLUT_KEY_LEFT)];
+    if (code == 0) return;
+    count(kind);
+    events_.push_back({.kind = kind, .key = code});
+  }
+  /// While any key is down the focus is watched.
+  void count(WindowEvent::Kind kind) {
+    keysDown_ = std::max(0, keysDown_ + (kind == WindowEvent::Kind::Press ? 1 : -1));
+    if (keysDown_ == 1 && kind == WindowEvent::Kind::Press) focus_ = focusNow();
   }
   void key(WindowEvent::Kind kind, unsigned char character) {
     const int modifiers = glutGetModifiers();
@@ -212,9 +249,7 @@ class GlutWindow final : public Window {
     const auto code = static_cast<KeyCode>(lower ? character - 'a' + 'A' : character);
     // Control characters below space would read as mouse buttons.
     if (character < ' ' && code != kEscapeKey && code != kEnterKey && code != kTabKey) return;
-    keysDown_ += kind == WindowEvent::Kind::Press ? 1 : -1;
-    if (keysDown_ <= 0) keysDown_ = 0;
-    if (keysDown_ == 1 && kind == WindowEvent::Kind::Press) focus_ = focusNow();
+    count(kind);
     events_.push_back({.kind = kind, .key = code, .control = control, .shift = (modifiers & GLUT_ACTIVE_SHIFT) != 0});
   }
 
@@ -245,6 +280,7 @@ class GlutWindow final : public Window {
   DisplayHandle display_;
   int window_ = 0;
   std::vector<WindowEvent> events_;
+  OverlayInputs inputs_;
   ::Window focus_ = 0;
   int keysDown_ = 0;
   bool closed_ = false, hidden_ = false, overlay_ = false;
