@@ -101,6 +101,7 @@ int parseAndRun(CLI::App& app, std::vector<std::string> words, Wanted wanted) {
   addLimitCommand(app, action);
   addDietCommand(app, action);
   addAdviseCommand(app, action);
+  addCheckCommand(app, action);
   addListCommand(app, action);
   app.require_subcommand(1);
   try {

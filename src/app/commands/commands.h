@@ -63,6 +63,7 @@ void addStabilityCommand(CLI::App& app, Action& action);
 void addLimitCommand(CLI::App& app, Action& action);
 void addDietCommand(CLI::App& app, Action& action);
 void addAdviseCommand(CLI::App& app, Action& action);
+void addCheckCommand(CLI::App& app, Action& action);
 void addListCommand(CLI::App& app, Action& action);
 
 }  // namespace tyg

@@ -29,6 +29,11 @@ fs::path preparedFolder(const std::string& name, std::span<const std::string> fi
 }
 
 int drawFiles(const std::string& command, const fs::path& folder, const std::string& stem, const std::string& rows) {
+  return drawFiles(command, folder, stem, rows, std::cout);
+}
+
+int drawFiles(const std::string& command, const fs::path& folder, const std::string& stem, const std::string& rows,
+              std::ostream& said) {
   const std::string script = stem + ".gp";
   WholeFile svg(folder / (stem + ".svg")), png(folder / (stem + ".png"));
   const GnuplotOutcome outcome = runGnuplot(folder, script,
@@ -36,7 +41,7 @@ int drawFiles(const std::string& command, const fs::path& folder, const std::str
                                              "png=" + gnuplotQuoted(fs::absolute(png.temporary()).string())});
   if (interrupted()) return sayInterrupted(command, "the pictures were not drawn");
   if (outcome.kind == GnuplotOutcome::Kind::Missing) {
-    std::cout << "gnuplot is not installed: " << (folder / rows).string() << " and " << (folder / script).string()
+    said << "gnuplot is not installed: " << (folder / rows).string() << " and " << (folder / script).string()
               << " are written;\nwith it, `cd " << shellWord(folder.string()) << " && gnuplot " << script << "` draws "
               << stem << ".svg and " << stem << ".png" << std::endl;
     return kDone;
@@ -48,9 +53,9 @@ int drawFiles(const std::string& command, const fs::path& folder, const std::str
   }
   keepPictures({&svg, &png});
   for (const std::string& file : {rows, script, stem + ".svg", stem + ".png"}) {
-    std::cout << (folder / file).string() << "\n";
+    said << (folder / file).string() << "\n";
   }
-  std::cout << std::flush;
+  said << std::flush;
   return kDone;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 #include <span>
 #include <string>
 
@@ -16,5 +17,8 @@ std::filesystem::path preparedFolder(const std::string& name, std::span<const st
 /// missing. Returns an exit code.
 int drawFiles(const std::string& command, const std::filesystem::path& folder, const std::string& stem,
               const std::string& rows);
+/// The same, where standard output belongs to something else: names and advice go to `said`.
+int drawFiles(const std::string& command, const std::filesystem::path& folder, const std::string& stem,
+              const std::string& rows, std::ostream& said);
 
 }  // namespace tyg

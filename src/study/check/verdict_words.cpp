@@ -1,0 +1,98 @@
+// The sentence: what the motion is, how near, and what to do about it.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/check/motion_check.h"
+#include "util/amounts.h"
+
+namespace tyg {
+namespace {
+
+using Verdict = MotionCheck::Verdict;
+
+constexpr std::string_view kReportsName = "the report's Runge-Kutta";
+constexpr std::string_view kReportsCure =
+    "Move positions and velocities together to each of the four stages, and work the forces out there.";
+
+bool isReports(const Explanation& of) { return of.way.name() == "report-rk4" && of.model.made.empty(); }
+
+/// A small distance, which lengthText() would round away.
+std::string metres(double distance) { return fmt::format("{:.2g} m", distance); }
+
+std::string methodWords(const Explanation& of) {
+  std::string name(of.way.student != nullptr ? of.way.student->label : of.way.method->label);
+  for (const StudentMethod& method : studentMethods()) {
+    if (method.name == of.way.name()) name = method.label;
+  }
+  return of.dt > 0 ? fmt::format("{} at {}", name, timeText(of.dt)) : name + " with steps of its own choice";
+}
+
+std::string withWords(const Model& model) {
+  std::string text;
+  for (const Mistake* mistake : model.made) text += (text.empty() ? " " : " and ") + std::string(mistake->with);
+  return text;
+}
+
+std::string agreement(const Explanation& of, const MotionCheck& check) {
+  std::string text = "they agree to " + metres(of.distance);
+  if (of.judgedUpTo < check.scene.duration * (1 - 1e-9)) {
+    text += fmt::format(" up to {}, after which rounding errors have grown too large to tell", timeText(of.judgedUpTo));
+  }
+  return text;
+}
+
+/// Where the step is too long, that is what has to be changed.
+std::string stepWords(const MotionCheck& check, const Explanation& of) {
+  if (!(check.limit > 0) || of.dt <= check.limit) return "";
+  return fmt::format(" The step is longer than {}, the largest stable one: take a shorter step.",
+                     timeText(check.limit));
+}
+
+std::string mistakenWords(const MotionCheck& check) {
+  const Explanation& of = *check.mistaken;
+  std::string text =
+      fmt::format("Your positions are those of {}{}: {}.", methodWords(of), withWords(of.model), agreement(of, check));
+  if (isReports(of)) return text.append(" ").append(kReportsCure);
+  for (const Mistake* mistake : of.model.made) text.append(" ").append(mistake->cure);
+  return text + stepWords(check, of);
+}
+
+std::string rightWords(const MotionCheck& check) {
+  const Explanation& of = *check.right;
+  const std::string own = of.way.known() ? "" : ", a right method that is not one of ours";
+  return fmt::format("Right: your positions are those of {}{}: {}. They are {} from the truth.", methodWords(of), own,
+                     agreement(of, check), metres(check.error)) +
+         stepWords(check, of);
+}
+
+}  // namespace
+
+std::string mistakeName(const MotionCheck& check) {
+  if (!check.mistaken) return "";
+  return isReports(*check.mistaken) ? std::string(kReportsName) : check.mistaken->model.names();
+}
+
+std::string verdictWords(const MotionCheck& check) {
+  switch (check.verdict) {
+    case Verdict::Mistaken:
+      return mistakenWords(check);
+    case Verdict::Right:
+      return rightWords(check);
+    case Verdict::OtherMethod:
+      return fmt::format(
+          "Right to {}, by a method that is not one of ours: no method of ours and no common mistake "
+          "gives these positions.",
+          metres(check.error));
+    case Verdict::Unexplained:
+      break;
+  }
+  return fmt::format(
+      "Your positions are {} from the truth, and neither a method of ours nor a common mistake gives "
+      "them. Halve your step: if the error falls to half or less, the program is right and its step too "
+      "long; if it stays, something in the model is wrong.",
+      metres(check.error));
+}
+
+}  // namespace tyg
