@@ -28,18 +28,17 @@ std::string_view nameOf(Status status);
 /// The energies of a run, in J. Kinetic + all that is stored + dissipated - all work keeps its start value.
 struct Ledger {
   double kinetic = 0;
-  Energies stored{};      ///< by name: `elastic`, `gravitational`, which is zero at the start, and others where
-                          ///< a scene has them, such as `contact`
-  Energies work{};        ///< by what does it: `pushes`, force times the distance moved, exact
-  double dissipated = 0;  ///< by damping and drag; only with Settings::ledger
-  double scale = 0;       ///< what counts as a large energy in this run; S of the alarm
-  double storedRise = 0;  ///< largest rise so far of K + E + G - W above its lowest value before, as a fraction of
-                          ///< the scale and of what the alarm allows the first steps
-  double balanceRise =
-      0;                  ///< the same over a thousand steps, with the alarm's estimate of what damping has taken added
-  double drift = 0;       ///< change of the sum since the start as a fraction of scale; only with Settings::ledger
-  double maxStretch = 0;  ///< largest elongation of a spring seen at the energy checks (every 64 steps, and wherever
-                          ///< a run stops), as a fraction of its rest length
+  Energies stored{};       ///< by name: `elastic`, `gravitational`, which is zero at the start, and others where
+                           ///< a scene has them, such as `contact`
+  Energies work{};         ///< by what does it: `pushes`, force times the distance moved, exact
+  double dissipated = 0;   ///< by damping and drag; only with Settings::ledger
+  double scale = 0;        ///< what counts as a large energy in this run; S of the alarm
+  double storedRise = 0;   ///< largest rise so far of K + E + G - W above its lowest value before, as a fraction of
+                           ///< the scale and of what the alarm allows the first steps
+  double balanceRise = 0;  ///< the same with the alarm's estimate of what damping and drag have taken added
+  double drift = 0;        ///< change of the sum since the start as a fraction of scale; only with Settings::ledger
+  double maxStretch = 0;   ///< largest elongation of a spring seen at the energy checks (every 64 steps, and wherever
+                           ///< a run stops), as a fraction of its rest length
 
   /// Kinetic and all that is stored, J.
   [[nodiscard]] double mechanical() const { return kinetic + stored.sum(); }

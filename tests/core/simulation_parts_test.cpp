@@ -104,17 +104,17 @@ TEST(EnergyWatch, DoesNotBlameAMethodForTheRisesOfTheOneBefore) {
   EXPECT_EQ(watch.status(), Status::Unstable);
 }
 
-TEST(EnergyWatch, CountsWhatDampingTookOverTheLastChecksAlone) {
-  for (const bool isLasting : {false, true}) {
+TEST(EnergyWatch, ForgetsWhatDampingTookLongAgo) {
+  for (const bool isMore : {false, true}) {
     EnergyWatch watch = quietWatch(false);
     const double large = watch.ledger({}).scale;
     // Damping takes a fifth of the scale in as many checks as are remembered, and the stored energy does not fall.
-    const double power = large / (5 * double(Alarm::kMemory)), factor = isLasting ? 1.5 : 1;
+    const double power = large / (5 * Alarm::kMemory), factor = isMore ? 1.5 : 1;
     for (int check = 1; check <= 100; ++check) {
       watch.lose(factor * power, check);
       watch.check({.time = double(check)});
     }
-    EXPECT_EQ(watch.status(), isLasting ? Status::Unstable : Status::Ok);
+    EXPECT_EQ(watch.status(), isMore ? Status::Unstable : Status::Ok);
   }
 }
 

@@ -287,6 +287,8 @@ TEST_F(PanelsTest, ListsAndTooltipsHideWhatIsBelowThem) {
 TEST_F(PanelsTest, ATooltipOfAFieldComesAtRestAndGoesBySelf) {
   panels_.toggle(InputAction::OpenControl), frames();
   restOnTheSheetsField();
+  EXPECT_FALSE(showsTooltip()) << "not before the mouse has rested";
+  frames(20);
   ASSERT_TRUE(showsTooltip());
   EXPECT_TRUE(panels_.busy());
   frames(300);

@@ -21,20 +21,17 @@ double hundredthStretch(const Scene& scene, const Sheet& sheet) {
 
 }  // namespace
 
-Alarm::Alarm(double floor, double startEnergy, int order, bool touches)
-    : floor_(floor), largest_(startEnergy), order_(order), touches_(touches) {
-  balances_.fill(std::numeric_limits<double>::infinity());
-}
-
 void Alarm::useOrder(int order) {
   order_ = order;
   stored_.lowest = std::numeric_limits<double>::infinity();
 }
 
 void Alarm::lose(double power, double time) {
+  const double explained = std::max(0.0, flowedBefore_);
+  lost_ -= std::max(0.0, lost_ - explained) / kMemory;
   const double lasting = std::min(power, lastPower_);
   lost_ += (touches_ ? std::min(lasting, powerBefore_) : lasting) * (time - lastTime_);
-  flowedLately_ *= 1 - 1.0 / kMemory;
+  flowedLately_ *= 1 - 1 / kMemory;
   powerBefore_ = lastPower_, lastPower_ = power, lastTime_ = time;
   lossIsPresent_ = true;
 }
@@ -49,18 +46,14 @@ double Alarm::Sum::riseTo(double value, double large) {
 }
 
 Status Alarm::check(const StoredEnergy& energy, double work, double flowing) {
-  const double stored = energy.sum() - work, balance = stored + lost_;
-  if (!std::isfinite(balance)) return Status::NotFinite;
+  const double stored = energy.sum() - work;
+  if (!std::isfinite(stored + lost_)) return Status::NotFinite;
   if (checked_) flowedLately_ += std::abs(flowing - flowedBefore_);
   flowedBefore_ = flowing;
   largest_ = std::max({largest_, energy.sizeSinceStart(), std::abs(work - flowing), flowedLately_});
   const double large = scale() + firstSteps_;
   bool rises = stored_.riseTo(stored, large) > (order_ >= 3 ? kThresholdOfHighOrder : kThreshold);
-  if (lossIsPresent_) {
-    balance_.lowest = std::ranges::min(balances_);
-    rises = balance_.riseTo(balance, large) > kThreshold || rises;
-    balances_[balancesTaken_++ % kMemory] = balance;
-  }
+  if (lossIsPresent_) rises = balance_.riseTo(stored + lost_, large) > kThreshold || rises;
   checked_ = true, lossIsPresent_ = false;
   return rises ? Status::Unstable : Status::Ok;
 }

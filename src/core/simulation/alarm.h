@@ -1,13 +1,11 @@
 // The energy alarm. Damping only takes energy away, so two sums never rise by themselves in a real cloth. The first is
 // the energy that the cloth stores, less the work put in. The second is the first plus the energy that damping has
-// taken. Where a method past its limit explodes, the first sum rises. Where it only jitters, damping takes away
+// taken lately. Where a method past its limit explodes, the first sum rises. Where it only jitters, damping takes away
 // the energy that the method adds at every step, so that the stored energy stays small, and the second sum rises.
 //
 // Must not know: where the energies come from, methods.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <limits>
 
 #include "core/forces/forces.h"
@@ -17,27 +15,30 @@ namespace tyg {
 
 class Alarm {
  public:
-  /// A rise of K + E + G - W by this fraction of the scale, or of K + E + G - W + D with D what damping has taken,
-  /// during the last kMemory regular checks, means that the run is unstable. How often this is wrong:
-  /// docs/stability.md, "How often it is wrong", as measured by tests/benchmarks/alarm_statistics.cpp.
+  /// A rise of K + E + G - W by this fraction of the scale, or of K + E + G - W + D with D what damping took during
+  /// about the last kMemory regular checks, means that the run is unstable. How often this is wrong: docs/stability.md,
+  /// "How often it is wrong", as measured by tests/benchmarks/alarm_statistics.cpp.
   static constexpr double kThreshold = 0.25;
   /// The same for the first sum of a method of order 3 or higher. Below its limit such a method changes the energy so
   /// little that a rise of this size is no error of a sound run.
   static constexpr double kThresholdOfHighOrder = 1.0 / 32;
-  static constexpr std::size_t kMemory = 16;
+  static constexpr double kMemory = 16;
 
   /// `floor` (J): what counts as a large energy in a run where nothing larger happens (a hundredth of stretch);
   /// `startEnergy` = K + E at the start; `order` of the method. `touches`: there are bodies, and blows of the cloth on
   /// them.
-  Alarm(double floor, double startEnergy, int order, bool touches = false);
+  Alarm(double floor, double startEnergy, int order, bool touches = false)
+      : floor_(floor), largest_(startEnergy), order_(order), touches_(touches) {}
 
   /// From here on another method steps, of this order. Its rises count from here.
   void useOrder(int order);
   /// Takes the power (W) that damping takes at a time (s), at the regular checks alone and before check().
   /// The energy lost between two checks is estimated as the time between them times the lower of the two powers, and
   /// where bodies are touched of the last three, since each may be that of a short blow. That is too little where the
-  /// motion dies out or grows, and nearly right for a jitter, which stays the same. Small errors of the estimate do not
-  /// add up over a long run, since a rise counts over the last kMemory checks alone.
+  /// motion dies out or grows, and nearly right for a jitter, which stays the same. Each check takes a part 1/kMemory
+  /// off D, so that small errors of the estimate do not add up over a long run; this only lowers the sum, and so never
+  /// sets off the alarm. What winds, pins and bodies have brought is not taken off: it is lost
+  /// all the time, and without it the sum would fall for ever while a cloth jitters in the wind.
   void lose(double power, double time);
   /// To be called for steps of h seconds. `forcing` (J/s2): the sum over the particles of |F|^2 / m, F what steady
   /// forces and pushes do to a particle. A first-order method that begins to fall is ahead of the truth by n/2 of
@@ -70,8 +71,6 @@ class Alarm {
   double lost_ = 0, lastPower_ = 0, powerBefore_ = 0, lastTime_ = 0;
   int order_ = 1;
   Sum stored_, balance_;
-  std::array<double, kMemory> balances_{};  // at the last regular checks, J
-  std::size_t balancesTaken_ = 0;
   bool touches_ = false, checked_ = false, lossIsPresent_ = true;
 };
 
