@@ -51,8 +51,9 @@ inline std::vector<const Mistake*> possibleMistakes(const Scene& scene, const st
     const std::string name(mistake.name);
     const bool needsStages = name == "forces kept stale across stages" || name == "pins held only after the step";
     if (needsStages && !stages) continue;
-    // Explicit Euler moves pins with the velocity that the step before has taken from them.
-    if (name == "pinned after the position was moved" && method == "explicit-euler") continue;
+    // These move pins with the velocity that the step before has taken from them.
+    if (name == "pinned after the position was moved" && (method == "explicit-euler" || method.starts_with("position")))
+      continue;
     if (!withMistake({.scene = scene, .habits = {}, .made = {}}, mistake).made.empty()) possible.push_back(&mistake);
   }
   return possible;

@@ -42,8 +42,8 @@ int drawFiles(const std::string& command, const fs::path& folder, const std::str
   if (interrupted()) return sayInterrupted(command, "the pictures were not drawn");
   if (outcome.kind == GnuplotOutcome::Kind::Missing) {
     said << "gnuplot is not installed: " << (folder / rows).string() << " and " << (folder / script).string()
-              << " are written;\nwith it, `cd " << shellWord(folder.string()) << " && gnuplot " << script << "` draws "
-              << stem << ".svg and " << stem << ".png" << std::endl;
+         << " are written;\nwith it, `cd " << shellWord(folder.string()) << " && gnuplot " << script << "` draws "
+         << stem << ".svg and " << stem << ".png" << std::endl;
     return kDone;
   }
   if (outcome.kind == GnuplotOutcome::Kind::Failed) {

@@ -19,8 +19,9 @@ constexpr double kLost = 1e6;        // an amplification past which nothing can 
 constexpr double kNear = kRounding * kLost * 10;  // of the size
 constexpr double kMoved = 0.01;                   // of the size: so far the sheet has moved by the first times
 constexpr double kMostEffort = 2e9;               // evaluations of one spring, a few ns each
-constexpr double kFar = 5;  // an accurate model so many times as far away as the truth explains nothing
-constexpr std::size_t kMostToTheEnd = 24, kMostAimed = 50, kKept = 4;
+constexpr double kFar = 5;             // an accurate model so many times as far away as the truth explains nothing
+constexpr double kDearlyRanked = 3e7;  // so much a single run may cost that only gives an order
+constexpr std::size_t kMostToTheEnd = 10, kMostAimed = 50, kKept = 4;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// s: symplectic Euler is stable below, and Runge-Kutta 4 exact enough to tell mistakes apart. Each of the twelve
@@ -36,10 +37,14 @@ double moderateStep(const Scene& scene) {
 }
 
 /// How many samples a try is run to at first: until the sheet has moved, and not more than a third of all.
-std::size_t firstSamples(const GivenMotion& motion, double size) {
+std::size_t firstSamples(const GivenMotion& motion, const Scene& scene, double size) {
   const std::size_t least = motion.times.front() > 0 ? 1 : 2, all = motion.times.size();
+  std::vector<Vec3> start;
+  const Sheet sheet = makeSheet(scene);
+  start.reserve(std::size_t(sheet.count()));
+  for (int particle = 0; particle < sheet.count(); ++particle) start.push_back(sheet.startPosition(particle));
   std::size_t first = std::min(all, least);
-  const auto moved = [&] { return distanceBetween(motion.positions[first - 1], motion.positions.front()).rms; };
+  const auto moved = [&] { return distanceBetween(motion.positions[first - 1], start).rms; };
   while (first < std::max(least, all / 3) && moved() < kMoved * size) ++first;
   return std::min(first, all);
 }
@@ -50,7 +55,7 @@ ExplanationSearch::ExplanationSearch(const Scene& scene, const GivenMotion& moti
                                      std::function<bool(double)> goesOn)
     : motion_(motion), goesOn_(std::move(goesOn)), size_(makeSheet(scene).size()) {
   plain_.scene = scene;
-  first_ = firstSamples(motion, size_);
+  first_ = firstSamples(motion, scene, size_);
   constexpr double kUsualCount = 400, kMostTimes = 8;
   most_ = kMostEffort * std::clamp(double(scene.columns) * scene.rows / kUsualCount, 1.0, kMostTimes);
   if (step) {
@@ -231,7 +236,9 @@ std::vector<Model> ExplanationSearch::ranked(std::vector<Model> models, double a
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t k = 0; k < models.size() && !stopped_; ++k) {
     const std::optional<Trial> trial = accurate(models[k]);
-    const double distance = trial ? distanceOf(*trial, first_, kInfinity) : kInfinity;
+    // What would take too long is kept, as the last one.
+    const bool isCheap = trial && costOf(*trial, motion_, first_) <= kDearlyRanked;
+    const double distance = isCheap ? distanceOf(*trial, first_, kInfinity) : atMost;
     const bool dependsOnStep = std::ranges::any_of(models[k].made, [](const Mistake* one) {
       return one->kind == Mistake::Kind::Pins || one->kind == Mistake::Kind::Order;
     });
@@ -280,7 +287,8 @@ std::optional<ExplanationSearch::Aim> ExplanationSearch::aimed(const Model& mode
   if (shorter == 0) return std::nullopt;
   const auto end = [&](double dt) {
     const Trial trial{&model, way, dt};
-    if (!spend(costOf(trial, motion_, first_))) return std::vector<Vec3>{};
+    const double cost = costOf(trial, motion_, first_);
+    if (cost > kDearlyRanked || !spend(cost)) return std::vector<Vec3>{};
     return fitOf(trial, motion_, {.samples = first_, .goesOn = {}}).last;
   };
   const std::vector<Vec3> a = end(longer), b = end(shorter), &given = motion_.positions[first_ - 1];

@@ -37,7 +37,7 @@ struct MotionCheck {
   double withoutMistake = 0;            ///< m: how far the same method and step are without it
   double limit = 0;                     ///< s: the largest stable step of the method found; 0 where none is known
   std::string tears;                    ///< why the last times were not judged; mostly empty
-  bool stopped = false;  ///< by the observer
+  bool stopped = false;                 ///< by the observer
 
   /// What explains the motion: the mistake, else the nearest method.
   [[nodiscard]] const Explanation* explanation() const;

@@ -118,7 +118,7 @@ Fit fitOf(const Trial& trial, const GivenMotion& motion, const FitOptions& optio
 
 double costOf(const Trial& trial, const GivenMotion& motion, std::size_t samples) {
   constexpr double kFaster = 8, kOverhead = 150;  // rows at once, of Tyg's own methods; of each evaluation
-  constexpr double kSolving = 1500, kAdaptiveSteps = 1000;
+  constexpr double kSolving = 150, kAdaptiveSteps = 1000;
   const auto springs = double(springsIn(trial.model->scene));
   const double steps = trial.dt > 0 ? motion.times[samples - 1] / trial.dt : kAdaptiveSteps;
   if (trial.way.student != nullptr) return steps * springs * trial.way.student->evaluations;
