@@ -58,15 +58,18 @@ void FrameLoop::recall() {
     found == kAll.end() ? memory_.refuse("look") : viewer_.show(*found);
   }
   if (!memory_.trouble().empty()) viewer_.notes().warn(memory_.trouble());
+  background_ = viewer_.view().drawOptions().background, look_ = viewer_.view().chosenShow();
 }
 
+/// What the command line asked for is not remembered, until the person changes it.
 void FrameLoop::remember() {
-  memory_.keep("background", viewer_.view().drawOptions().background == Background::Light ? "light" : "dark");
-  if (const auto show = viewer_.view().chosenShow()) {
+  const Background background = viewer_.view().drawOptions().background;
+  if (background != background_) memory_.keep("background", background == Background::Light ? "light" : "dark");
+  if (const auto show = viewer_.view().chosenShow(); show && show != look_) {
     memory_.keep("look", std::string(nameOf(*show)));
   }
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  if (size.x >= 1 && size.y >= 1) memory_.keep("size", fmt::format("{:.0f}x{:.0f}", size.x, size.y));
+  if (size.x >= 1 && size.y >= 1 && !fullScreen_) memory_.keep("size", fmt::format("{:.0f}x{:.0f}", size.x, size.y));
 }
 
 std::string FrameLoop::run() {
@@ -103,7 +106,7 @@ void FrameLoop::takeEvents() {
   for (const WindowEvent& event : window_.events(stale_ > 0 || panels_.busy() || capture_.busy() ? spare_ : patience)) {
     stale_ = kFramesToSettle;
     const bool pressed = event.kind == WindowEvent::Kind::Press;
-    if (pressed && event.key == functionKey(11)) window_.toggleFullScreen();
+    if (pressed && event.key == functionKey(11)) window_.toggleFullScreen(), fullScreen_ = !fullScreen_;
     (void)router_.route(event);
     for (const WindowEvent& key : hud_.takeKeys()) (void)router_.route(key);
   }

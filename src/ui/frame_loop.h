@@ -44,6 +44,9 @@ class FrameLoop {
 
   Viewer& viewer_;
   WindowMemory& memory_;
+  Background background_ = Background::Dark;  ///< at the start
+  std::optional<Show> look_;                  ///< chosen before the start
+  bool fullScreen_ = false;
   Window& window_;
   ImGuiSession& imgui_;
   ClothPainter painter_;

@@ -159,8 +159,9 @@ void Hud::drawWind(const Viewer& viewer, const Colours& colours) const {
   const std::string text = fmt::format("wind {:.1f} m/s", std::hypot(v.x, v.y, v.z));
   const ImVec2 screen = screenSize(), extent = extentOf(fonts_.text, size_, text);
   constexpr float kBelow = 0.075F;  // heights of the window, from the arrow's middle: it is hardly longer
-  write(fonts_.text, size_, {wind->at.x * screen.x - extent.x / 2, (wind->at.y + kBelow) * screen.y}, colours.dim,
-        text);
+  const ImVec2 at{wind->at.x * screen.x - extent.x / 2, (wind->at.y + kBelow) * screen.y};
+  writerFor(viewer).shade(at, {at.x + extent.x, at.y + extent.y});
+  write(fonts_.text, size_, at, colours.dim, text);
 }
 
 /// As many lines as fit above `free`, which may be smaller there than elsewhere.

@@ -36,6 +36,14 @@ bool isBreaking(const RunControl& run) {
   return run.failure().runsOn() && run.shown().time() >= run.failure().alarmTime();
 }
 
+std::string waysOutInWords(const RunControl& run) {
+  const auto& cure = run.failure().cure();
+  std::string text = "unstable: ";
+  if (cure && cure->step > 0) text += "V takes a safe step, ";
+  if (cure && cure->method != nullptr) text += "M a method that holds, ";
+  return text + "R restarts";
+}
+
 std::vector<Buttons::Button> waysOut(const Viewer& viewer) {
   std::vector<Buttons::Button> buttons;
   if (const auto& cure = viewer.run().failure().cure()) {
@@ -191,7 +199,7 @@ std::string Hud::promptText(const Viewer& viewer) const {
   }
   if (run.state() == RunState::Paused) return "paused  \u00b7  space goes on";
   if (run.asleep()) return "at rest  \u00b7  click the cloth to push it";
-  if (isBreaking(run)) return "unstable: V takes a safe step, M a method that holds, R restarts";
+  if (isBreaking(run)) return waysOutInWords(run);
   return hint_;
 }
 

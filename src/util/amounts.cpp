@@ -45,7 +45,7 @@ double parsed(const std::string& option, const std::string& text, const Form& fo
 
 /// Three significant digits without an exponent where that is short.
 std::string three(double number) {
-  return std::abs(number) >= 1000 ? fmt::format("{:.0f}", number) : fmt::format("{:.3g}", number);
+  return std::abs(number) >= 999.5 ? fmt::format("{:.0f}", number) : fmt::format("{:.3g}", number);
 }
 
 }  // namespace
@@ -73,9 +73,9 @@ double parseShare(const std::string& option, const std::string& text) {
   return parsed(option, text, {kUnits, "share", ": a number, or a number with %, such as 5%"});
 }
 
-double parseNumber(const std::string& option, const std::string& text) {
+double parseNumber(const std::string& option, const std::string& text, Zero zero) {
   constexpr std::array<Unit, 1> kUnits{{{"", 1}}};
-  return parsed(option, text, {kUnits, "number", ""});
+  return parsed(option, text, {kUnits, "number", "", zero});
 }
 
 std::string lengthText(double metres) {

@@ -17,7 +17,7 @@ double parseMass(const std::string& option, const std::string& text);
 /// A share above 0: a number, or a number and %. Throws InputError.
 double parseShare(const std::string& option, const std::string& text);
 /// A number above 0 without a unit. Throws InputError.
-double parseNumber(const std::string& option, const std::string& text);
+double parseNumber(const std::string& option, const std::string& text, Zero zero = Zero::Refused);
 
 /// A length for people, three significant digits: `0.0345 mm`, `28 mm`, `1.2 m`; `unknown` where it is not finite.
 std::string lengthText(double metres);

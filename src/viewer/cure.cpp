@@ -81,7 +81,9 @@ double roundedDown(double step) {
 const Method* methodThatHolds(const Scene& scene, const Method& failed, double step, double share) {
   for (const Method& method : methods()) {
     const double limit = share * restLatticeLimit(scene, method);
-    if (method.name != failed.name && !(limit < 1.05 * step) && takes(method, scene)) return &method;
+    const bool choosesItsSteps = method.adaptive && scene.tolerance > 0;
+    if (method.name == failed.name || choosesItsSteps || limit < 1.05 * step || !takes(method, scene)) continue;
+    return &method;
   }
   return nullptr;
 }

@@ -49,6 +49,7 @@ TEST(Limit, RefusesWhatIsMissingOrIsNoNumber) {
   for (const auto& [arguments, said] :
        {std::pair{"limit --mass 18g", "found no --ks"}, std::pair{"limit --ks 100", "found no --mass"},
         std::pair{"limit --ks 1,2,3,4 --mass 1g", "one to three numbers"},
+        std::pair{"limit --ks 1,,3 --mass 1g", "one to three numbers"},
         std::pair{"limit --ks 100 --mass -1", "found '-1'"}, std::pair{"limit --ks 1e40 --mass 1", "1e+40"},
         std::pair{"limit --ks 100 --mass 1g --methods rk5", "rk5"},
         std::pair{"limit --ks 100 --mass 1g --dt 0", "above 0"}}) {

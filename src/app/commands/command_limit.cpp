@@ -1,4 +1,5 @@
 // `tyg limit`: the largest stable step of every method for springs given on the command line.
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -40,19 +41,21 @@ Exit codes: 0 done; 1 the step of --dt does not hold with every method asked for
 
 /// One to three numbers, not below 0, with commas between; families that are not named are 0.
 std::vector<double> numbersOf(const std::string& option, const std::string& text) {
-  std::vector<double> numbers;
-  for (const std::string& part : splitList(text)) numbers.push_back(part == "0" ? 0 : parseNumber(option, part));
-  if (numbers.empty() || numbers.size() > 3) {
+  const std::vector<std::string> parts = splitList(text);
+  if (parts.empty() || parts.size() > 3 || std::ranges::count(text, ',') != std::ptrdiff_t(parts.size()) - 1) {
     throw InputError(fmt::format(
         "{}: found '{}', allowed are one to three numbers with commas between: structural, shear, bend", option, text));
   }
+  std::vector<double> numbers;
+  numbers.reserve(parts.size());
+  for (const std::string& part : parts) numbers.push_back(parseNumber(option, part, Zero::Allowed));
   return numbers;
 }
 
 Scene sheetOf(const LimitOptions& options) {
   if (options.ks.empty() || !options.mass) {
     throw InputError(
-        fmt::format("tyg limit: found no {}, needed are --ks (N/m) and --mass (of a particle), such as "
+        fmt::format("limit: found no {}, needed are --ks (N/m) and --mass (of a particle), such as "
                     "tyg limit --ks 1200,900,200 --kd 0.1 --mass 18g",
                     options.ks.empty() ? "--ks" : "--mass"));
   }
@@ -96,7 +99,7 @@ int limit(const LimitOptions& options) {
 
 void addNumbers(Command& command, LimitOptions& options) {
   const auto number = [](const char* option) {
-    return [=](const std::string& text) { return text == "0" ? 0 : parseNumber(option, text); };
+    return [=](const std::string& text) { return parseNumber(option, text, Zero::Allowed); };
   };
   command.option("--ks", options.ks, "Stiffness of structural, shear and bend springs, N/m; 0 where there are none")
       .typeName("S[,SH[,B]]");

@@ -16,7 +16,7 @@
 namespace tyg {
 namespace {
 
-std::string metres(double distance) { return fmt::format("{:.2g} m", distance); }
+std::string metres(double distance) { return distance >= 1 ? lengthText(distance) : fmt::format("{:.2g} m", distance); }
 
 std::string paragraph(const std::string& text) {
   constexpr float kWidth = 90;  // characters
@@ -63,8 +63,9 @@ std::string horizonLine(const MotionCheck& check) {
 std::string checkTable(const CheckReport& report) {
   const MotionCheck& check = report.check;
   std::string text = paragraph(verdictWords(check)) + "\n" + errorTable(report) + "\n";
-  text += fmt::format("error E          {}, {:.2g} % of the sheet's size\n", metres(check.error),
-                      100 * check.error / check.size);
+  const double percent = 100 * check.error / check.size;
+  text += fmt::format("error E          {}, {} % of the sheet's size\n", metres(check.error),
+                      percent >= 10 ? fmt::format("{:.0f}", percent) : fmt::format("{:.2g}", percent));
   if (const Explanation* of = check.explanation()) {
     text += fmt::format("nearest method   {}, {} away\n", methodText(*of),
                         metres(check.mistaken ? check.withoutMistake : of->distance));

@@ -34,7 +34,9 @@ Look readLook(SceneTable table, const std::string& sceneFile) {
   if (ending != ".png" && ending != ".jpg" && ending != ".jpeg") {
     table.refuse("image", '"' + image + '"', "the name of a PNG or JPEG file beside the scene file");
   }
-  look.image = (std::filesystem::path(sceneFile).parent_path() / image).string();
+  // Absolute, so that a scene that is written somewhere else still finds it.
+  const std::filesystem::path folder = std::filesystem::absolute(std::filesystem::path(sceneFile).parent_path());
+  look.image = (folder / image).lexically_normal().string();
   return look;
 }
 

@@ -19,7 +19,7 @@ constexpr std::string_view kReportsCure =
 bool isReports(const Explanation& of) { return of.way.name() == "report-rk4" && of.model.made.empty(); }
 
 /// A small distance, which lengthText() would round away.
-std::string metres(double distance) { return fmt::format("{:.2g} m", distance); }
+std::string metres(double distance) { return distance >= 1 ? lengthText(distance) : fmt::format("{:.2g} m", distance); }
 
 std::string methodWords(const Explanation& of) {
   std::string name(of.way.student != nullptr ? of.way.student->label : of.way.method->label);

@@ -49,7 +49,7 @@ void beginCopy(const Viewer& viewer) {
 void endCopy(Viewer& viewer) {
   ImGui::LogFinish();
   const bool leavesTheWindow = ImGui::GetIO().ClipboardUserData != nullptr;  // freeglut has no clipboard
-  viewer.notes().say(leavesTheWindow ? "What the window's foot and the open panels say is copied."
+  viewer.notes().say(leavesTheWindow ? "The numbers at the lower edge and in the open panels are copied."
                                      : "Copied, but only for fields of this window: freeglut has no clipboard.");
 }
 
