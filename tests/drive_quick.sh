@@ -38,9 +38,10 @@ until_true "a click on Reset takes it back, though the mouse has moved on" has_s
 press Escape
 few_frames
 
-at_once xdotool key --delay 0 space space space
+# GLFW takes presses of one key within 20 ms for its repetition.
+at_once xdotool key --delay 50 space space space
 until_true "three taps start, pause and start it" in_state running
-at_once xdotool mousemove --window "$window" 640 640 click 1
+at_once xdotool mousemove --window "$window" 1180 560 click 1
 until_true "a click pushes" pushed 1
 press Escape
 wait_for_end "Escape"
