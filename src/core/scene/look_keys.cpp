@@ -35,8 +35,8 @@ Look readLook(SceneTable table, const std::string& sceneFile) {
     table.refuse("image", '"' + image + '"', "the name of a PNG or JPEG file beside the scene file");
   }
   // Absolute, so that a scene that is written somewhere else still finds it.
-  const std::filesystem::path folder = std::filesystem::absolute(std::filesystem::path(sceneFile).parent_path());
-  look.image = (folder / image).lexically_normal().string();
+  const std::filesystem::path folder = std::filesystem::path(sceneFile).parent_path();
+  look.image = (std::filesystem::current_path() / folder / image).lexically_normal().string();
   return look;
 }
 
