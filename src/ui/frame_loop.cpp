@@ -105,8 +105,11 @@ void FrameLoop::takeEvents() {
   const double patience = viewer_.idle() || hidden ? rest : spare_;
   for (const WindowEvent& event : window_.events(stale_ > 0 || panels_.busy() || capture_.busy() ? spare_ : patience)) {
     stale_ = kFramesToSettle;
-    const bool pressed = event.kind == WindowEvent::Kind::Press;
-    if (pressed && event.key == functionKey(11)) window_.toggleFullScreen(), fullScreen_ = !fullScreen_;
+    const Input* input = event.kind == WindowEvent::Kind::Press ? findInput(event.key) : nullptr;
+    if (input != nullptr && input->action == InputAction::FullScreen) {
+      window_.toggleFullScreen();
+      fullScreen_ = !fullScreen_;
+    }
     (void)router_.route(event);
     for (const WindowEvent& key : hud_.takeKeys()) (void)router_.route(key);
   }

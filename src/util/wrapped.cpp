@@ -1,6 +1,8 @@
 // Greedy: a word goes onto the line as long as it fits.
 #include "util/wrapped.h"
 
+#include "util/utf8.h"
+
 namespace tyg {
 
 std::string wrapped(std::string_view text, float width, const std::function<float(std::string_view)>& widthOf) {
@@ -17,6 +19,15 @@ std::string wrapped(std::string_view text, float width, const std::function<floa
     if (next == '\n') begin = at + 1;
   }
   return result;
+}
+
+std::string paragraph(std::string_view text, std::string_view indent, int width) {
+  std::string lines;
+  for (const char character : wrapped(text, float(width), characterCount)) {
+    lines += character;
+    if (character == '\n') lines += indent;
+  }
+  return lines + "\n";
 }
 
 }  // namespace tyg

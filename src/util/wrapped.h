@@ -12,4 +12,8 @@ namespace tyg {
 /// Words are not broken: one that is wider than that gets a line of its own. Line breaks of the text stay.
 std::string wrapped(std::string_view text, float width, const std::function<float(std::string_view)>& widthOf);
 
+/// A paragraph of a terminal's page, with its last line break: lines of at most `width` characters, of which all but
+/// the first come after `indent`.
+std::string paragraph(std::string_view text, std::string_view indent = {}, int width = 94);
+
 }  // namespace tyg

@@ -7,6 +7,7 @@
 
 #include "gfx/contexts/offscreen.h"
 #include "gfx/passes/sheet_renderer.h"
+#include "start_points.h"
 
 namespace tyg {
 namespace {
@@ -19,14 +20,6 @@ Sheet flatSheet() {
   sheet.spacing = 0.1;
   sheet.start = Start::Flat;
   return sheet;
-}
-std::vector<float> startOf(const Sheet& sheet) {
-  std::vector<float> xyz;
-  for (int i = 0; i < sheet.count(); ++i) {
-    const Vec3 p = sheet.startPosition(i);
-    xyz.insert(xyz.end(), {float(p.x), float(p.y), float(p.z)});
-  }
-  return xyz;
 }
 Vec3 middleOf(std::span<const float> xyz) {
   const glm::vec3 middle = boxAround(xyz).centre();

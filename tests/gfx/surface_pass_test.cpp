@@ -8,6 +8,7 @@
 #include "files.h"
 #include "gfx/contexts/offscreen.h"
 #include "gfx/passes/sheet_renderer.h"
+#include "start_points.h"
 #include "view/picking.h"
 
 namespace tyg {
@@ -21,14 +22,6 @@ Sheet upright(int particles = 21) {
   sheet.columns = sheet.rows = particles;
   sheet.spacing = 2.0 / (particles - 1);
   return sheet;
-}
-std::vector<float> startOf(const Sheet& sheet) {
-  std::vector<float> xyz;
-  for (int i = 0; i < sheet.count(); ++i) {
-    const Vec3 p = sheet.startPosition(i);
-    xyz.insert(xyz.end(), {float(p.x), float(p.y), float(p.z)});
-  }
-  return xyz;
 }
 
 class SurfacePicture : public testing::TestWithParam<OffscreenKind> {

@@ -25,5 +25,10 @@ TEST(Wrapped, LineBreaksOfTheTextStay) {
   EXPECT_EQ(inLinesOf(5, ""), "");
 }
 
+TEST(Wrapped, ParagraphsCountCharactersAndIndentAllLinesButTheFirst) {
+  EXPECT_EQ(paragraph("one two three", "  ", 7), "one two\n  three\n");
+  EXPECT_EQ(paragraph("åäö åäö", {}, 7), "åäö åäö\n");
+}
+
 }  // namespace
 }  // namespace tyg

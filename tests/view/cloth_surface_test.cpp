@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <random>
 
+#include "start_points.h"
+
 namespace tyg {
 namespace {
 
@@ -13,15 +15,6 @@ Sheet sheetOf(int columns, int rows) {
   Sheet sheet;
   sheet.columns = columns, sheet.rows = rows, sheet.spacing = 0.1;
   return sheet;
-}
-
-std::vector<float> startOf(const Sheet& sheet) {
-  std::vector<float> xyz;
-  for (int i = 0; i < sheet.count(); ++i) {
-    const Vec3 p = sheet.startPosition(i);
-    xyz.insert(xyz.end(), {float(p.x), float(p.y), float(p.z)});
-  }
-  return xyz;
 }
 
 using Triangle = std::array<glm::vec3, 3>;

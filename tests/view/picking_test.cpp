@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include "start_points.h"
+
 namespace tyg {
 namespace {
 
@@ -14,15 +16,6 @@ Sheet sheetOf(int columns, int rows) {
   Sheet sheet;
   sheet.columns = columns, sheet.rows = rows, sheet.spacing = 0.1;
   return sheet;
-}
-
-std::vector<float> startOf(const Sheet& sheet) {
-  std::vector<float> xyz;
-  for (int i = 0; i < sheet.count(); ++i) {
-    const Vec3 p = sheet.startPosition(i);
-    xyz.insert(xyz.end(), {float(p.x), float(p.y), float(p.z)});
-  }
-  return xyz;
 }
 
 Camera cameraOn(const std::vector<float>& xyz) {

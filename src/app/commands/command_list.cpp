@@ -12,7 +12,6 @@
 #include "app/output/exit_code.h"
 #include "app/reports/json.h"
 #include "tyg/methods.h"
-#include "util/utf8.h"
 #include "util/wrapped.h"
 
 namespace tyg {
@@ -21,14 +20,9 @@ namespace {
 constexpr std::size_t kPageWidth = 80, kNameWidth = 20;
 
 /// A text in lines that fit between `indent` and the edge of the page.
-std::string paragraph(const std::string& text, std::size_t indent) {
+std::string indented(std::string_view text, std::size_t indent) {
   const std::string blanks(indent, ' ');
-  std::string lines = blanks;
-  for (const char character : wrapped(text, float(kPageWidth - indent), characterCount)) {
-    lines += character;
-    if (character == '\n') lines += blanks;
-  }
-  return lines + "\n";
+  return blanks + paragraph(text, blanks, int(kPageWidth - indent));
 }
 
 enum class Kind { Showing, Failing };
@@ -51,7 +45,7 @@ std::string described(Kind kind) {
   for (const Scene& scene : scenes(kind)) {
     text += fmt::format("  {:<{}}{} ({} x {} particles)\n", scene.name + " ", kNameWidth, scene.title, scene.columns,
                         scene.rows);
-    text += paragraph(scene.shows, kNameWidth + 2);
+    text += indented(scene.shows, kNameWidth + 2);
   }
   return text;
 }
@@ -65,7 +59,7 @@ std::string page() {
   for (const Method& method : methods()) {
     text += fmt::format("  {:<{}}{}: order {}, {}\n", std::string(method.name) + " ", kNameWidth, method.label,
                         method.order, evaluations(method));
-    text += paragraph(std::string(method.scheme), kNameWidth + 2);
+    text += indented(method.scheme, kNameWidth + 2);
   }
   return text;
 }

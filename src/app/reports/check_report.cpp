@@ -18,11 +18,6 @@ namespace {
 
 std::string metres(double distance) { return distance >= 1 ? lengthText(distance) : fmt::format("{:.2g} m", distance); }
 
-std::string paragraph(const std::string& text) {
-  constexpr float kWidth = 90;  // characters
-  return wrapped(text, kWidth, [](std::string_view words) { return float(words.size()); }) + "\n";
-}
-
 /// The floor of the sheet at the sample of the reference that is the next after a time, m.
 double floorAt(const MotionCheck& check, double time) {
   const std::vector<double>& times = check.reference.motion.times;

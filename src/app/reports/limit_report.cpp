@@ -15,6 +15,8 @@
 namespace tyg {
 namespace {
 
+constexpr std::string_view kIndent = "  ";  // of all lines of a paragraph but the first
+
 std::string stepCell(double step) {
   if (std::isnan(step)) return "-";
   return step == 0 ? "none" : timeText(step);
@@ -73,16 +75,6 @@ std::vector<std::string> remedies(const LimitReport& report, const LimitOfMethod
   return words;
 }
 
-std::string paragraph(const std::string& words) {
-  constexpr float kWidth = 94;
-  std::string page;
-  for (const char c : wrapped(words, kWidth, [](std::string_view line) { return float(line.size()); })) {
-    page += c;
-    if (c == '\n') page += "  ";
-  }
-  return page + "\n";
-}
-
 /// The methods of all that hold the step as the sheet is, those that compute least for it first.
 std::string whoHolds(const Scene& scene, double dt) {
   std::vector<const Method*> holding;
@@ -94,7 +86,8 @@ std::string whoHolds(const Scene& scene, double dt) {
   });
   if (holding.empty()) return "";
   return paragraph(fmt::format("Methods that hold {} on this sheet as it is: {}.", timeText(dt),
-                               joined(holding, [](const Method* method) { return std::string(method->name); })));
+                               joined(holding, [](const Method* method) { return std::string(method->name); })),
+                   kIndent);
 }
 
 Json changesJson(const HoldingChanges& changes) {
@@ -125,14 +118,16 @@ std::string limitTable(const LimitReport& report) {
   text += "\n" + paragraph(
                      "At rest: larger steps make the cloth at rest explode. Certified: no smaller step is unstable, "
                      "however the cloth is stretched or folded. -: there is no such step, or none is needed. bs32 "
-                     "and dopri54 are taken with fixed steps.");
+                     "and dopri54 are taken with fixed steps.",
+                     kIndent);
   if (!report.dt || report.holds()) return text;
   text += "\nAny one of these changes alone makes the step hold, the smallest first:\n";
   for (const LimitOfMethod& of : report.methods) {
     if (of.holds) continue;
     const std::vector<std::string> words = remedies(report, of);
     text += paragraph(fmt::format("  {}: {}.", of.method->name,
-                                  words.empty() ? "no change of the step, the springs or the mass" : joined(words)));
+                                  words.empty() ? "no change of the step, the springs or the mass" : joined(words)),
+                      kIndent);
   }
   return text + whoHolds(report.scene, *report.dt);
 }

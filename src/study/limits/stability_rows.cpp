@@ -13,6 +13,8 @@
 namespace tyg {
 namespace {
 
+constexpr std::string_view kIndent = "  ";  // of all lines of a paragraph but the first
+
 std::string name(const StabilityCase& entry) { return std::string(entry.method->name); }
 const char* dampingOf(const StabilityCase& entry) { return entry.damped ? "scene" : "none"; }
 
@@ -51,17 +53,6 @@ std::string tableLine(const StabilityStudy& study, const StabilityCase& entry) {
   return fmt::format("{:<16}  {:<7} {:>9} {:>9} {:>9} {:>9}   {}\n", entry.method->name, dampingOf(entry),
                      cell(limit.predicted), certifiedCell(study, entry), cell(entry.atRest), cell(entry.inMotion),
                      first);
-}
-
-/// The words in lines of a page; all but the first line are indented.
-std::string paragraph(const std::string& words) {
-  constexpr float kWidth = 94;
-  std::string page;
-  for (const char c : wrapped(words, kWidth, [](std::string_view line) { return float(line.size()); })) {
-    page += c;
-    if (c == '\n') page += "  ";
-  }
-  return page + "\n";
 }
 
 /// What has to be said about a method's limit besides its numbers; empty where nothing has.
@@ -130,8 +121,9 @@ std::string stabilityTable(const StabilityStudy& study) {
                       "measured: the largest step found that keeps the energy alarm quiet, in tiny motions around "
                       "rest, or in those of a particle that rests on a body where that is less, and in the scene's own "
                       "motion. none: no step; all: every step tried; -: does not exist "
-                      "or takes too long to measure.");
-  for (const std::string& note : notesOn(study)) table += paragraph(note);
+                      "or takes too long to measure.",
+                      kIndent);
+  for (const std::string& note : notesOn(study)) table += paragraph(note, kIndent);
   return table;
 }
 
