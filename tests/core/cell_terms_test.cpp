@@ -20,9 +20,8 @@ struct CornerSum {
   using Numbers = Gravity::Numbers<T>;
   template <class T>
   static Vec<T> cornerForce(const LaneMath<T>& /*math*/, const Corners<Vec<T>>& x, const Corners<Vec<T>>& v,
-                            const Lanes<T>& exists, const Numbers<T>& /*weight*/) {
-    return exists *
-           ((T(1) * x.here + T(2) * x.right) + (T(3) * x.below + T(4) * x.belowRight) + T(5) * (v.here + v.belowRight));
+                            const Numbers<T>& /*weight*/) {
+    return (T(1) * x.here + T(2) * x.right) + (T(3) * x.below + T(4) * x.belowRight) + T(5) * (v.here + v.belowRight);
   }
 };
 

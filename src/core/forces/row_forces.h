@@ -185,17 +185,13 @@ TYG_INLINE Corners<Vec<T>> corners(const T* planes, const RowTask<T>& task, std:
           load(planes, task.plane, below + 1)};
 }
 
-/// Force of all cell terms on each corner of the cells below right of the particles at `a`; `exists` is 1 or 0.
-template <class CellTerms, class T>
-TYG_INLINE Vec<T> cellForce(const RowTask<T>& task, const Lanes<T>& exists, std::ptrdiff_t a) {
+/// Force of all cell terms on each corner of the cells below right of the particles at `a`.
+template <class CellTerms, class T, class Exists>
+TYG_INLINE Vec<T> cellForce(const RowTask<T>& task, const Exists& exists, std::ptrdiff_t a) {
   Vec<T> sum{};
-  bool isFirst = true;
   const Corners<Vec<T>> x = corners(task.position, task, a), v = corners(task.velocity, task, a);
-  CellTerms::forEach([&]<class Term>() {
-    const Vec<T> force = Term::cornerForce(LaneMath<T>{}, x, v, exists, numbersOf<Term>(task));
-    sum = isFirst ? force : sum + force, isFirst = false;
-  });
-  return sum;
+  CellTerms::forEach([&]<class Term>() { sum = sum + Term::cornerForce(LaneMath<T>{}, x, v, numbersOf<Term>(task)); });
+  return exists * sum;
 }
 
 /// The springs of one row, six for each particle, and the terms of its cells, a block at a time; each block is finished

@@ -57,11 +57,9 @@ struct AirTerm {
     Vector corner;      ///< force on each corner, N
     Vector wind, past;  ///< the wind there, and the velocity at which it passes the cell, m/s
   };
-  /// `factor` is Numbers::factor, or 0 for a cell that is not there.
-  template <class Math, class Vector, class Number, class T>
+  template <class Math, class Vector, class T>
   [[gnu::always_inline]] static OnCell<Vector> onCell(const Math& math, const Corners<Vector>& x,
-                                                      const Corners<Vector>& v, const Number& factor,
-                                                      const Numbers<T>& numbers) {
+                                                      const Corners<Vector>& v, const Numbers<T>& numbers) {
     const auto quarter = math.all(T(0.25));
     Vector wind = math.all3(numbers.steady);
     if (numbers.firstGusts != numbers.endGusts) {
@@ -74,13 +72,12 @@ struct AirTerm {
     const Vector twiceArea = math.cross(x.belowRight - x.here, x.below - x.right);
     // |u| (u.A) / |A| with one root
     const auto ratio = math.dot(past, past) / (math.dot(twiceArea, twiceArea) + math.all(numbers.tinyArea));
-    return {(factor * (math.dot(past, twiceArea) * math.root(ratio))) * twiceArea, wind, past};
+    return {(math.all(numbers.factor) * (math.dot(past, twiceArea) * math.root(ratio))) * twiceArea, wind, past};
   }
-  /// `exists` is 1, or 0 for a cell that is not there.
-  template <class Math, class Vector, class Number, class T>
+  template <class Math, class Vector, class T>
   [[gnu::always_inline]] static Vector cornerForce(const Math& math, const Corners<Vector>& x, const Corners<Vector>& v,
-                                                   const Number& exists, const Numbers<T>& numbers) {
-    return onCell(math, x, v, math.all(numbers.factor) * exists, numbers).corner;
+                                                   const Numbers<T>& numbers) {
+    return onCell(math, x, v, numbers).corner;
   }
 
   /// The vector g of a cell such that -g g' is what a corner's velocity changes of the force on a corner, with the
@@ -89,7 +86,7 @@ struct AirTerm {
   static Vector rootOfDamping(const Math& math, const Corners<Vector>& x, const Corners<Vector>& v,
                               const Numbers<T>& numbers) {
     const Vector twiceArea = math.cross(x.belowRight - x.here, x.below - x.right);
-    const Vector past = onCell(math, x, v, math.all(numbers.factor), numbers).past;
+    const Vector past = onCell(math, x, v, numbers).past;
     const auto speed = math.root(math.dot(past, past));
     const auto size = math.root(math.dot(twiceArea, twiceArea) + math.all(numbers.tinyArea));
     return (math.all(T(0.5)) * math.root(math.all(numbers.factor) * speed / size)) * twiceArea;
@@ -100,9 +97,9 @@ struct AirTerm {
   static std::array<double, 2> powersIn(const Row& row, const Numbers<double>& numbers) {
     if (!(numbers.factor > 0)) return {};
     const auto math = row.math();
-    const auto four = math.all(4), factor = math.all(numbers.factor);
+    const auto four = math.all(4);
     return row.sumsOverCells([&](const auto& x, const auto& v) {
-      const auto air = onCell(math, x, v, factor, numbers);
+      const auto air = onCell(math, x, v, numbers);
       return std::array{four * math.dot(air.corner, air.past), four * math.dot(air.corner, air.wind)};
     });
   }
