@@ -129,12 +129,12 @@ void Camera::turn(float pixelsRight, float pixelsDown) {
   lookAlong(yaw_ + kTurnPerPixel * pixelsRight, pitch_ - kTurnPerPixel * pixelsDown);
 }
 
-void Camera::orbit(float pixelsRight, float pixelsDown) {
-  const glm::vec3 middle = cloth_.centre(), away = middle - eye_;
+void Camera::orbit(float pixelsRight, float pixelsDown, const glm::vec3& about) {
+  const glm::vec3 away = about - eye_;
   const glm::vec3 seen(glm::dot(away, right()), glm::dot(away, up()), glm::dot(away, forward()));
   const float more = kOrbitPerPixel / kTurnPerPixel;
   turn(more * pixelsRight, more * pixelsDown);
-  eye_ = finiteOr(middle - seen.x * right() - seen.y * up() - seen.z * forward(), eye_);
+  eye_ = finiteOr(about - seen.x * right() - seen.y * up() - seen.z * forward(), eye_);
   keepInReach();
 }
 

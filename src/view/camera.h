@@ -49,8 +49,8 @@ class Camera {
   void lookAlong(float yaw, float pitch);
   /// Turns by mouse pixels: right and down are positive.
   void turn(float pixelsRight, float pixelsDown);
-  /// Flies around the middle of the cloth, which stays where it is seen, as if the cloth were turned by the mouse.
-  void orbit(float pixelsRight, float pixelsDown);
+  /// Flies around a point (m), which stays where it is seen, as if the cloth were turned about it by the mouse.
+  void orbit(float pixelsRight, float pixelsDown, const glm::vec3& about);
   /// Flies and turns for `seconds` (>= 0, taken as at most 0.1): right and forward along the eye's axes, up along the
   /// world's.
   void move(const Motion& keys, float seconds);

@@ -115,6 +115,18 @@ glm::vec2 placeInWindow(const Camera& camera, const glm::vec3& point, glm::vec2 
   return window / 2.0F + focal * glm::vec2(glm::dot(away, camera.right()), -glm::dot(away, camera.up()));
 }
 
+glm::vec3 middleInView(const Camera& camera, glm::vec2 window, std::span<const float> xyz) {
+  std::vector<float> seen;
+  for (std::size_t k = 0; k + 2 < xyz.size(); k += 3) {
+    const glm::vec3 point(xyz[k], xyz[k + 1], xyz[k + 2]);
+    if (glm::dot(point - camera.eye(), camera.forward()) <= 0) continue;
+    const glm::vec2 place = placeInWindow(camera, point, window);
+    const bool isInside = place.x >= 0 && place.y >= 0 && place.x <= window.x && place.y <= window.y;
+    if (isInside) seen.insert(seen.end(), {point.x, point.y, point.z});
+  }
+  return boxAround(seen.empty() ? xyz : std::span<const float>(seen)).centre();
+}
+
 std::optional<int> pickParticle(const Camera& camera, glm::vec2 cursor, glm::vec2 window, const Sheet& sheet,
                                 std::span<const float> xyz, float radius) {
   if (!(window.x > 0 && window.y > 0) || xyz.size() < 3 * static_cast<std::size_t>(sheet.count())) {

@@ -24,6 +24,10 @@ Ray sightLine(const Camera& camera, glm::vec2 cursor, glm::vec2 window);
 /// Where a point (m) in front of the eye is seen, in those pixels; not finite in the plane of the eye.
 glm::vec2 placeInWindow(const Camera& camera, const glm::vec3& point, glm::vec2 window);
 
+/// The middle of those particles that are seen in the window, m; of all where none is. Pieces that have fallen out of
+/// sight do not count. `xyz`: positions, m.
+glm::vec3 middleInView(const Camera& camera, glm::vec2 window, std::span<const float> xyz);
+
 /// How far from the cloth a click still counts, in pixels.
 inline constexpr float kPickRadius = 12;
 

@@ -100,9 +100,9 @@ void ViewControl::turn(glm::vec2 pixels) {
   movedByHand();
 }
 
-void ViewControl::orbit(glm::vec2 pixels) {
+void ViewControl::orbit(glm::vec2 pixels, const glm::vec3& about) {
   camera_.watch(cloth_);
-  camera_.orbit(pixels.x, pixels.y);
+  camera_.orbit(pixels.x, pixels.y, about);
   movedByHand();
 }
 

@@ -42,9 +42,9 @@ class ViewControl {
   /// Once a frame of a cloth that breaks: goes along with it while it runs, and shows all of it then, unless the person
   /// has moved the camera. Afterwards, once a frame of any other: goes back.
   void followBreaking(bool breaks, bool runs);
-  void turn(glm::vec2 pixels);   ///< the cursor moved so far
-  void orbit(glm::vec2 pixels);  ///< around the cloth; likewise
-  void approach(float notches);  ///< of the wheel
+  void turn(glm::vec2 pixels);                           ///< the cursor moved so far
+  void orbit(glm::vec2 pixels, const glm::vec3& about);  ///< likewise, around a point, m
+  void approach(float notches);                          ///< of the wheel
   /// The cloth is shown so from now on, whatever its scene says.
   void show(Show how) { chosenShow_ = draw_.show = how; }
   /// What show() and the person chose, if they did.

@@ -6,6 +6,7 @@
 
 #include "tyg/methods.h"
 #include "view/body_shapes.h"
+#include "view/picking.h"
 #include "viewer/motion_bounds.h"
 
 namespace tyg {
@@ -112,8 +113,12 @@ void Viewer::release(KeyCode key) {
 void Viewer::moveCursor(glm::vec2 cursor) {
   const glm::vec2 moved = cursor - std::exchange(cursor_, cursor);
   if (leftDrag_ == LeftDrag::Tool) tools_.move(cursor);
-  if (leftDrag_ == LeftDrag::Beside && glm::distance(cursor, pressedAt_) > kClickPixels) leftDrag_ = LeftDrag::Orbit;
-  if (leftDrag_ == LeftDrag::Orbit) view_.orbit(moved);
+  if (leftDrag_ == LeftDrag::Beside && glm::distance(cursor, pressedAt_) > kClickPixels) {
+    leftDrag_ = LeftDrag::Orbit;
+    const Extent window = view_.pixels();
+    orbitsAbout_ = middleInView(view_.camera(), {window.width, window.height}, run_.shown().positions());
+  }
+  if (leftDrag_ == LeftDrag::Orbit) view_.orbit(moved, orbitsAbout_);
   if (keys_.held(LookAround) || leftDrag_ == LeftDrag::Look) view_.turn(moved);
   if (leftDrag_ == LeftDrag::Approach) view_.approach(-kNotchesPerPixel * moved.y);
 }

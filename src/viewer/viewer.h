@@ -77,11 +77,12 @@ class Viewer final : private RunListener {
   std::vector<Body> bodies_;  ///< where they are at the shown time
   glm::vec2 cursor_{0};
   LeftDrag leftDrag_ = LeftDrag::Tool;
-  glm::vec2 pressedAt_{0};  ///< pixels, where the left button went down
-  double pressedTime_ = 0;  ///< s, of the clock
-  int sheet_ = 0;           ///< of scenes_.sheetsSoFar(), the one that the view and the tools are of
-  double lastFrame_ = 0;    ///< s, of the clock
-  bool woken_ = false;      ///< this frame ends an idle time
+  glm::vec2 pressedAt_{0};    ///< pixels, where the left button went down
+  glm::vec3 orbitsAbout_{0};  ///< m
+  double pressedTime_ = 0;    ///< s, of the clock
+  int sheet_ = 0;             ///< of scenes_.sheetsSoFar(), the one that the view and the tools are of
+  double lastFrame_ = 0;      ///< s, of the clock
+  bool woken_ = false;        ///< this frame ends an idle time
   bool leaving_ = false;
 };
 

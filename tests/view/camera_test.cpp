@@ -87,7 +87,7 @@ TEST(Camera, OrbitingKeepsTheClothWhereItIsSeenAndAsFarAway) {
   camera.slide(0.2F, 0.1F);
   const glm::vec3 before = ndc(camera, kCloth.centre(), 1), eye = camera.eye();
   const float distance = camera.distance(), yaw = camera.yaw(), pitch = camera.pitch();
-  camera.orbit(100, -30);
+  camera.orbit(100, -30, kCloth.centre());
   EXPECT_GT(camera.yaw(), yaw + 0.5F) << "to the right the cloth turns with the mouse";
   EXPECT_GT(camera.pitch(), pitch);
   EXPECT_GT(glm::distance(camera.eye(), eye), 0.3F * distance);

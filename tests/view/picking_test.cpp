@@ -125,5 +125,21 @@ TEST(Picking, TheLineOfSightThroughAParticleMeetsIt) {
   EXPECT_GT(glm::dot(particle - ray.origin, ray.direction), 0);
 }
 
+TEST(MiddleInView, LeavesOutWhatHasFallenOutOfSight) {
+  const Sheet sheet = sheetOf(9, 9);
+  const std::vector<float> whole = startOf(sheet);
+  const Camera camera = cameraOn(whole);
+  const glm::vec3 middle = middleInView(camera, kWindow, whole);
+  EXPECT_LT(glm::distance(middle, boxAround(whole).centre()), 1e-6F);
+  std::vector<float> cut = whole;
+  const std::size_t half = 3 * 9 * 4;
+  for (std::size_t k = half; k < cut.size(); k += 3) cut[k + 1] -= 100;
+  const glm::vec3 left = boxAround(std::span(whole).first(half)).centre();
+  EXPECT_LT(glm::distance(middleInView(camera, kWindow, cut), left), 1e-6F);
+  std::vector<float> gone = whole;
+  for (std::size_t k = 1; k < gone.size(); k += 3) gone[k] -= 100;
+  EXPECT_LT(glm::distance(middleInView(camera, kWindow, gone), boxAround(gone).centre()), 1e-4F);
+}
+
 }  // namespace
 }  // namespace tyg

@@ -188,9 +188,9 @@ TEST(ViewControl, GlidesNowhereOnceThePersonHasMovedTheCamera) {
     ViewControl view = viewOfASquare();
     view.begin({{-5, -5, 0}, {5, 5, 0}});
     view.resize(kWindow, {});
-    if (before) view.orbit({30, 0});
+    if (before) view.orbit({30, 0}, {});
     view.follow(kSquare, {}, true);
-    if (!before) view.orbit({30, 0});
+    if (!before) view.orbit({30, 0}, {});
     EXPECT_FALSE(view.glides()) << before;
     const glm::vec3 eye = view.camera().eye();
     view.move({}, 0.5F);
