@@ -1,4 +1,4 @@
-// Which particle a cursor points at.
+// Which particle a cursor points at, and what of a cloth is seen.
 // Must not know: OpenGL, windows, what is done with the particle.
 #pragma once
 
