@@ -101,11 +101,12 @@ void SceneControl::followSimulation() {
   copyLiveParameters(simulation.scene(), scene_);
 }
 
-void SceneControl::begin(const Scene& scene, bool newSheet) {
+void SceneControl::begin(Scene scene, bool newSheet) {
+  if (newSheet && onCard()) scene.precision = Precision::Float;
   const Method& method = findMethod(scene.integrator);
   Simulation fresh(scene, method, settings_);  // first: it may refuse the scene
   const bool running = run_.state() == RunState::Running;
-  scene_ = scene;
+  scene_ = std::move(scene);
   method_ = &method;
   if (newSheet) ++sheetsSoFar_;
   ++runsSoFar_;
@@ -120,8 +121,30 @@ void SceneControl::restart() {
 }
 
 void SceneControl::followLedger(bool on) {
+  wantsLedger_ = on;
+  if (onCard()) return;
   settings_.ledger = on;
   run_.followLedger(on);
+}
+
+void SceneControl::moveOnCard(bool on) {
+  if (run_.seeking() || on == onCard() || !cardOffer_) return;
+  try {
+    Scene scene = scene_;
+    if (on) scene.precision = Precision::Float;
+    OfferedCard card;
+    if (on) card = cardOffer_(scene);
+    Settings settings = settings_;
+    settings.device = card.device;
+    settings.ledger = wantsLedger_ && !on;
+    Simulation fresh(scene, *method_, settings);
+    scene_ = std::move(scene), settings_ = std::move(settings);
+    ++runsSoFar_;
+    run_.startOver(std::move(fresh));
+    if (!card.sentence.empty()) notes_.say(card.sentence);
+  } catch (const std::exception& error) {
+    notes_.warn(error.what());
+  }
 }
 
 /// At once, or, after an alarm, shortly before the failure, and goes on from there. What was set since that time, or

@@ -5,7 +5,9 @@
 
 #include <array>
 #include <string>
+#include <utility>
 
+#include "viewer/card_offer.h"
 #include "viewer/run_control.h"
 #include "viewer/scene_change.h"
 
@@ -36,8 +38,16 @@ class SceneControl {
   void goOnWhereMended();
   /// From the start, with the scene, method and step that are chosen.
   void restart();
-  /// Whether to follow the dissipated energy, restarts included.
+  /// Whether to follow the dissipated energy, restarts included. A graphics card does not: it is followed again on the
+  /// processor.
   void followLedger(bool on);
+  /// From now on a graphics card can be had.
+  void offerCard(CardOffer offer) { cardOffer_ = std::move(offer); }
+  [[nodiscard]] bool canHaveCard() const { return cardOffer_ != nullptr; }
+  /// Whether the graphics card moves the cloth, which then begins anew, in float. Says what the card is; changes
+  /// nothing and warns where none serves.
+  void moveOnCard(bool on);
+  [[nodiscard]] bool onCard() const { return settings_.device != nullptr; }
   /// Time came to a tick that may have had another method, step or live parameters: they are the chosen ones now.
   void followSimulation();
 
@@ -57,7 +67,7 @@ class SceneControl {
   void useLive(const Scene& scene);
   void useMethod(const Method& method);
   void useStep(double dt);
-  void begin(const Scene& scene, bool newSheet);
+  void begin(Scene scene, bool newSheet);
   void play(EventLog log);
   void cureWith(const Scene& wanted);
 
@@ -65,6 +75,8 @@ class SceneControl {
   Notes& notes_;
   Scene scene_;
   Settings settings_;
+  CardOffer cardOffer_;
+  bool wantsLedger_ = false;
   const Method* method_;
   int sheetsSoFar_ = 1, runsSoFar_ = 1;
 };

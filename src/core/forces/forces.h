@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/forces/acting.h"
@@ -16,6 +17,8 @@ namespace tyg {
 
 class Workers;
 enum class Update;
+template <class T>
+struct PushedParticle;
 
 /// The forces of a scene in newtons. Pinned particles feel exactly 0.
 template <class T>
@@ -77,6 +80,17 @@ class Forces {
   /// Constant force on one particle (N), added to any that is there. Ignored by a pinned particle.
   void addPush(int particle, const Vec3& force);
   void clearPushes();
+
+  // For devices, which compute the same forces elsewhere:
+  /// All pushes that act, by row and column; those on one particle in the order in which they are added.
+  [[nodiscard]] std::span<const PushedParticle<T>> pushes() const;
+  /// See movePins().
+  [[nodiscard]] std::span<const int> movingPins() const { return movingPins_; }
+  /// An evaluation has been done elsewhere, in which the moving pins brought this power (W).
+  void countEvaluation(double powerOfPins) {
+    ++account_.evaluations;
+    account_.power.pins = powerOfPins;
+  }
 
   /// Energies of this state at this time (s). Sums run row by row in one fixed order.
   [[nodiscard]] StoredEnergy energy(double time, const State<T>& state) const;
