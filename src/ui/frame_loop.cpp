@@ -124,9 +124,7 @@ Insets FrameLoop::insets() const {
   const auto left = static_cast<int>(panels_.width(Edge::Left)), right = static_cast<int>(panels_.width(Edge::Right));
   const bool wide = left == 0 && 2 * (keys + keys) <= window.width;
   return {.left = left > 0 ? left : keys,
-          .right = right > 0 ? right
-                   : wide    ? keys
-                             : 0,
+          .right = std::max(right + hud_.beside(), wide && right == 0 ? keys : 0),
           .top = hud_.above(),
           .bottom = hud_.below(viewer_),
           .beside = panels_.beside()};
