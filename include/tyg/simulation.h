@@ -58,8 +58,8 @@ struct Settings {
   bool ledger = false;     ///< follow the dissipated energy: a step then takes 1.6 times (double) to 2.6 times (float)
                            ///< as long
   bool keepGoing = false;  ///< run on after the energy alarm
-  /// What moves the cloth in place of the processor, in float and without a ledger, such as the graphics card that the
-  /// program itself can take; null: the processor does.
+  /// What moves the cloth in place of the processor, in float, such as the graphics card that the program itself can
+  /// take; null: the processor does.
   std::shared_ptr<Device> device{};
 };
 

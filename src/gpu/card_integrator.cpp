@@ -56,7 +56,7 @@ class CardIntegrator final : public Integrator<float> {
   void steps(Forces<float>& forces, State<float>& state, const StepTimes& times, int count) override;
   void reset() override { stateIsOnCard_ = hasForce_ = false; }
   void useParameters(const Scene& scene, const Sheet& sheet) override {
-    refuseOnCard(*card_, scene, sheet);
+    refuseOnCard(*card_, sheet);
     sheet_ = sheet, terms_ = termsOf(scene, sheet);
     sheetIsOnCard_ = false;
     reset();
@@ -69,8 +69,8 @@ class CardIntegrator final : public Integrator<float> {
  private:
   [[nodiscard]] CardActing actingOn(const Forces<float>& forces, const std::vector<double>& times) const;
   void bringToCard(const State<float>& state);
-  [[nodiscard]] std::vector<double> powersOfPins(const Forces<float>& forces, const State<float>& state,
-                                                 std::size_t evaluations, const std::vector<float>& felt) const;
+  static void addPowerOfPins(const Forces<float>& forces, const State<float>& state, const std::vector<float>& felt,
+                             std::vector<Power>& powers);
 
   std::shared_ptr<Card> card_;
   const Scheme* scheme_;
@@ -125,26 +125,32 @@ void CardIntegrator::bringToCard(const State<float>& state) {
   sheetIsOnCard_ = stateIsOnCard_ = true;
 }
 
-/// W, as Forces has it: minus every force on a moving pin times its velocity, which no evaluation changes.
-std::vector<double> CardIntegrator::powersOfPins(const Forces<float>& forces, const State<float>& state,
-                                                 std::size_t evaluations, const std::vector<float>& felt) const {
-  std::vector<double> powers(evaluations);
+/// As Forces has it: minus every force on a moving pin times its velocity, which no evaluation changes.
+void CardIntegrator::addPowerOfPins(const Forces<float>& forces, const State<float>& state,
+                                    const std::vector<float>& felt, std::vector<Power>& powers) {
   auto f = felt.begin();
-  for (double& power : powers) {
+  for (Power& power : powers) {
+    power.pins = 0;
     for (const int pin : forces.movingPins()) {
       const Vec3 v = state.velocity.get(pin), force{f[0], f[1], f[2]};
-      power -= force.x * v.x + force.y * v.y + force.z * v.z;
+      power.pins -= force.x * v.x + force.y * v.y + force.z * v.z;
       f += 3;
     }
   }
-  return powers;
 }
 
 void CardIntegrator::steps(Forces<float>& forces, State<float>& state, const StepTimes& times, int count) {
   if (!onCard_) onCard_ = std::make_unique<OwnedSheet>(card_, layout_), sheetIsOnCard_ = stateIsOnCard_ = false;
   const bool hadForce = hasForce_;
   const std::vector<double> evaluated = scheme_->times(times, count, hadForce);
-  const CardActing acting = actingOn(forces, evaluated);
+  CardActing acting = actingOn(forces, evaluated);
+  std::vector<Power> powers(evaluated.size(), forces.power());
+  if (forces.tracksDissipation()) {
+    acting.watch = [&, k = std::size_t{0}](const auto& position, const auto& velocity) mutable {
+      powers.at(k) = forces.powerOf(evaluated.at(k), position, velocity);
+      ++k;
+    };
+  }
   std::vector<float> felt;
   card_->run([&] {
     CardSheet& sheet = **onCard_;
@@ -156,7 +162,8 @@ void CardIntegrator::steps(Forces<float>& forces, State<float>& state, const Ste
     card_->refuseErrors();
   });
   hasForce_ = scheme_->keepsForce;
-  scheme_->account(forces, powersOfPins(forces, state, evaluated.size(), felt), times.h, hadForce);
+  addPowerOfPins(forces, state, felt, powers);
+  scheme_->account(forces, powers, times.h, hadForce);
 }
 
 std::unique_ptr<Integrator<float>> CardIntegrator::clone() const {
@@ -173,12 +180,7 @@ std::unique_ptr<Integrator<float>> CardIntegrator::clone() const {
 
 }  // namespace
 
-void refuseOnCard(const Card& card, const Scene& scene, const Sheet& sheet) {
-  if (std::ranges::any_of(scene.moves, [](const Move& move) { return !move.body.empty(); })) {
-    throw InputError(
-        "move: found a body that moves, allowed on the graphics card are bodies that stand still: the work of a moving "
-        "one needs the forces of every evaluation");
-  }
+void refuseOnCard(const Card& card, const Sheet& sheet) {
   const std::size_t bytes = 3 * sizeof(float) * std::size_t(Layout(sheet).plane);
   if (bytes > card.largestBuffer()) {
     throw InputError(fmt::format(
@@ -189,7 +191,7 @@ void refuseOnCard(const Card& card, const Scene& scene, const Sheet& sheet) {
 
 std::unique_ptr<Integrator<float>> makeCardIntegrator(std::shared_ptr<Card> card, const Scheme& scheme,
                                                       const Scene& scene, const Sheet& sheet) {
-  refuseOnCard(*card, scene, sheet);
+  refuseOnCard(*card, sheet);
   return std::make_unique<CardIntegrator>(std::move(card), scheme, scene, sheet);
 }
 

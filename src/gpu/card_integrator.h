@@ -9,8 +9,8 @@
 
 namespace tyg {
 
-/// Throws InputError with the reason where the card does not take the scene, and changes nothing.
-void refuseOnCard(const Card& card, const Scene& scene, const Sheet& sheet);
+/// Throws InputError with the reason where the card does not take the sheet.
+void refuseOnCard(const Card& card, const Sheet& sheet);
 
 /// Copies the state to the card where something else has changed it, and back after the steps: up to 64 steps lie
 /// between two copies, and energies, events and pictures find the state where they look for it.

@@ -136,6 +136,17 @@ void CardSheet::pass(CardUpdate update, std::initializer_list<InPass> roles, flo
   setMoment(kernel);
   ++evaluation_;
   run(kernel, roles, step, kick);
+  if (acting_.watch) showTo(roles);
+}
+
+/// What a pass evaluates at is still there when it is over.
+void CardSheet::showTo(std::initializer_list<InPass> roles) {
+  if (watchedPosition_.bytes() == 0) watchedPosition_ = watchedVelocity_ = VectorField<float>(layout_);
+  for (const auto& [role, which] : roles) {
+    if (role == PassRole::Position) read(which, watchedPosition_);
+    if (role == PassRole::Velocity) read(which, watchedVelocity_);
+  }
+  acting_.watch(watchedPosition_, watchedVelocity_);
 }
 
 void CardSheet::beginLeapfrog(std::initializer_list<InPass> roles, float step, float kick) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -57,6 +58,9 @@ struct CardActing {
     std::array<float, 3> steadyWind{};  ///< m/s
     int firstGust = 0, endGust = 0, firstSolid = 0, endSolid = 0;
   };
+  /// Is shown the positions and the velocities of each evaluation, where somebody wants to see them. That takes longer
+  /// than everything else.
+  std::function<void(const VectorField<float>& position, const VectorField<float>& velocity)> watch{};
   std::vector<Moment> moments{};  ///< of each evaluation of these steps, in order
 };
 
@@ -88,6 +92,7 @@ class CardSheet {
   [[nodiscard]] std::string definesOf(CardUpdate update) const;
   void setScene(Kernel& kernel) const;
   void setMoment(Kernel& kernel) const;
+  void showTo(std::initializer_list<InPass> roles);
   void run(Kernel& kernel, std::initializer_list<InPass> roles, float step, float kick);
 
   Card& card_;
@@ -97,6 +102,7 @@ class CardSheet {
   Sheet sheet_;
   KernelTerms terms_;
   CardActing acting_;
+  VectorField<float> watchedPosition_, watchedVelocity_;
   std::vector<int> movingPins_;  // that kinds_ has
   std::size_t evaluation_ = 0;   // of acting_.moments: the next one
 };

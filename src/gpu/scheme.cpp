@@ -26,8 +26,8 @@ void runEuler(CardSheet& sheet, double h, double inverseMass, int count, bool /*
   }
 }
 
-void accountEuler(Forces<float>& forces, std::span<const double> powers, double h, bool /*hasForce*/) {
-  for (const double power : powers) forces.countEvaluation(power), forces.addPower(h);
+void accountEuler(Forces<float>& forces, std::span<const Power> powers, double h, bool /*hasForce*/) {
+  for (const Power& power : powers) forces.countEvaluation(power), forces.addPower(h);
 }
 
 // w = v + h/2 a; x' = x + h w; a' = a(x', w + h/2 a); v' = w + h/2 a'. V2 is the velocity that damping sees.
@@ -69,7 +69,7 @@ void runLeapfrog(CardSheet& sheet, double h, double inverseMass, int count, bool
              step, kick);
 }
 
-void accountLeapfrog(Forces<float>& forces, std::span<const double> powers, double h, bool hasForce) {
+void accountLeapfrog(Forces<float>& forces, std::span<const Power> powers, double h, bool hasForce) {
   for (std::size_t k = 0; k < powers.size(); ++k) {
     if (k == 0 && !hasForce) {
       forces.countEvaluation(powers[k]);
@@ -129,7 +129,7 @@ void runRungeKutta(CardSheet& sheet, double h, double inverseMass, int count, bo
   }
 }
 
-void accountRungeKutta(Forces<float>& forces, std::span<const double> powers, double h, bool /*hasForce*/) {
+void accountRungeKutta(Forces<float>& forces, std::span<const Power> powers, double h, bool /*hasForce*/) {
   const std::array weights{h / 6, h / 3, h / 3, h / 6};
   for (std::size_t k = 0; k < powers.size(); ++k) {
     forces.countEvaluation(powers[k]);

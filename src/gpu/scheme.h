@@ -17,8 +17,8 @@ struct Scheme {
   std::vector<double> (*times)(const StepTimes& steps, int count, bool hasForce);
   /// The steps. The state is in Field::X and Field::V before and after, a kept force in Field::Force.
   void (*run)(CardSheet& sheet, double h, double inverseMass, int count, bool hasForce);
-  /// Counts the evaluations and, with the method's own weights, the power (W) of moving pins in each of them.
-  void (*account)(Forces<float>& forces, std::span<const double> powers, double h, bool hasForce);
+  /// Counts the evaluations and, with the method's own weights, the power in each of them.
+  void (*account)(Forces<float>& forces, std::span<const Power> powers, double h, bool hasForce);
 };
 
 std::span<const Scheme> schemes();

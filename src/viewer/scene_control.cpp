@@ -121,8 +121,6 @@ void SceneControl::restart() {
 }
 
 void SceneControl::followLedger(bool on) {
-  wantsLedger_ = on;
-  if (onCard()) return;
   settings_.ledger = on;
   run_.followLedger(on);
 }
@@ -136,7 +134,6 @@ void SceneControl::moveOnCard(bool on) {
     if (on) card = cardOffer_(scene);
     Settings settings = settings_;
     settings.device = card.device;
-    settings.ledger = wantsLedger_ && !on;
     Simulation fresh(scene, *method_, settings);
     scene_ = std::move(scene), settings_ = std::move(settings);
     ++runsSoFar_;

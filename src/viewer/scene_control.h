@@ -38,8 +38,7 @@ class SceneControl {
   void goOnWhereMended();
   /// From the start, with the scene, method and step that are chosen.
   void restart();
-  /// Whether to follow the dissipated energy, restarts included. A graphics card does not: it is followed again on the
-  /// processor.
+  /// Whether to follow the dissipated energy, restarts included.
   void followLedger(bool on);
   /// From now on a graphics card can be had.
   void offerCard(CardOffer offer) { cardOffer_ = std::move(offer); }
@@ -76,7 +75,6 @@ class SceneControl {
   Scene scene_;
   Settings settings_;
   CardOffer cardOffer_;
-  bool wantsLedger_ = false;
   const Method* method_;
   int sheetsSoFar_ = 1, runsSoFar_ = 1;
 };

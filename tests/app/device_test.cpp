@@ -46,9 +46,6 @@ TEST_F(RunOnCard, RefusesWhatTheCardDoesNotTake) {
   const Outcome method = tyg("run drop --device gpu --integrator imex");
   EXPECT_EQ(method.code, 2);
   EXPECT_NE(method.err.find("allowed on the graphics card: symplectic-euler, leapfrog, rk4"), std::string::npos);
-  const Outcome ledger = tyg("run drop --device gpu --ledger");
-  EXPECT_EQ(ledger.code, 2);
-  EXPECT_NE(ledger.err.find("allowed is the ledger on the processor"), std::string::npos);
 }
 
 TEST_F(RunOnCard, WritesTheSamplesOfTheProcessor) {

@@ -33,22 +33,6 @@ TEST_F(Refusals, SayThatTheCardComputesInFloat) {
             "precision: found double, allowed on the graphics card is float");
 }
 
-TEST_F(Refusals, SayThatBodiesMustStandStill) {
-  EXPECT_NE(refusalOf(inFloat(loadScene("storm")), "rk4", onCard()).find("move: found a body that moves"),
-            std::string::npos);
-}
-
-TEST_F(Refusals, SayThatTheLedgerIsTheProcessors) {
-  Settings settings = onCard();
-  settings.ledger = true;
-  const std::string words = "ledger: the graphics card does not follow";
-  EXPECT_NE(refusalOf(inFloat(loadScene("curtain")), "rk4", settings).find(words), std::string::npos);
-  Simulation simulation(inFloat(loadScene("curtain")), findMethod("rk4"), onCard());
-  EXPECT_NE(refusalOf([&] { simulation.followLedger(true); }).find(words), std::string::npos);
-  simulation.tick(3);
-  EXPECT_EQ(simulation.status(), Status::Ok);
-}
-
 TEST_F(Refusals, OfAMethodLeaveTheRunAsItWas) {
   Simulation there(inFloat(loadScene("curtain")), findMethod("rk4"), onCard());
   Simulation here(inFloat(loadScene("curtain")), findMethod("rk4"), onProcessor());

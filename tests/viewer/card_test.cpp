@@ -61,14 +61,6 @@ TEST_F(ViewerWithCard, AMethodThatTheCardDoesNotKnowIsRefusedWithTheReason) {
   EXPECT_EQ(viewer_.run().state(), RunState::Running);
 }
 
-TEST_F(ViewerWithCard, TheLedgerIsFollowedAgainOnTheProcessor) {
-  viewer_.scenes().moveOnCard(true);
-  viewer_.scenes().followLedger(true);
-  EXPECT_FALSE(viewer_.scenes().settings().ledger);
-  viewer_.scenes().moveOnCard(false);
-  EXPECT_TRUE(viewer_.scenes().settings().ledger);
-}
-
 TEST_F(ViewerTest, WhereNoCardServesTheProcessorGoesOn) {
   viewer_.scenes().offerCard([](const Scene&) -> OfferedCard { throw std::runtime_error("no card is plugged in"); });
   tap(' ');

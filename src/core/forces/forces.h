@@ -86,10 +86,10 @@ class Forces {
   [[nodiscard]] std::span<const PushedParticle<T>> pushes() const;
   /// See movePins().
   [[nodiscard]] std::span<const int> movingPins() const { return movingPins_; }
-  /// An evaluation has been done elsewhere, in which the moving pins brought this power (W).
-  void countEvaluation(double powerOfPins) {
+  /// An evaluation has been done elsewhere, in which this was the power.
+  void countEvaluation(const Power& power) {
     ++account_.evaluations;
-    account_.power.pins = powerOfPins;
+    account_.power = power;
   }
 
   /// Energies of this state at this time (s). Sums run row by row in one fixed order.
@@ -100,6 +100,7 @@ class Forces {
 
   /// With `on`, every evaluation also works out the power of damping and of terms.
   void trackDissipation(bool on) { trackDissipation_ = on; }
+  [[nodiscard]] bool tracksDissipation() const { return trackDissipation_; }
   /// The power of the last evaluation counts for `seconds` in its integral. Methods call it with their own quadrature
   /// weights, so that the ledger closes to the method's own order.
   void addPower(double seconds) { account_.energy.add(account_.power, seconds); }

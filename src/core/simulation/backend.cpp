@@ -183,19 +183,11 @@ class BackendOf final : public Backend {
 
 std::unique_ptr<Backend> makeBackend(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers,
                                      const Settings& settings) {
-  refuseLedgerOn(settings.device.get(), settings.ledger);
   if (scene.precision == Precision::Float) {
     return std::make_unique<BackendOf<float>>(scene, sheet, method, workers, settings);
   }
   if (settings.device) throw InputError("precision: found double, allowed on the graphics card is float");
   return std::make_unique<BackendOf<double>>(scene, sheet, method, workers, settings);
-}
-
-void refuseLedgerOn(const Device* device, bool ledger) {
-  if (!ledger || device == nullptr) return;
-  throw InputError(
-      "ledger: the graphics card does not follow what is dissipated, because that needs the forces of every "
-      "evaluation; allowed is the ledger on the processor");
 }
 
 }  // namespace tyg

@@ -71,7 +71,4 @@ class Backend {
 std::unique_ptr<Backend> makeBackend(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers,
                                      const Settings& settings);
 
-/// Throws InputError where a device (null: the processor) is to follow the ledger.
-void refuseLedgerOn(const Device* device, bool ledger);
-
 }  // namespace tyg

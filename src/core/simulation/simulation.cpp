@@ -92,7 +92,6 @@ Power Simulation::Impl::powerToSupply() const {
 }
 
 void Simulation::Impl::trackDissipation(bool on) {
-  refuseLedgerOn(settings.device.get(), on);
   settings.ledger = on;
   followPower();
   run.energies.followLedger(on, sample());

@@ -92,9 +92,7 @@ class EnergyPanel final : public Panel {
   }
 
   void draw(const PanelScope& scope) override {
-    std::vector<Amount> amounts = amountsOf(ledger_, works_);
-    const bool onCard = scope.viewer.scenes().onCard();
-    if (onCard) std::erase_if(amounts, [](const Amount& amount) { return amount.channel == Dissipated; });
+    const std::vector<Amount> amounts = amountsOf(ledger_, works_);
     std::vector<RunningCurve> curves;
     curves.reserve(amounts.size());
     for (const Amount& amount : amounts) {
@@ -104,9 +102,6 @@ class EnergyPanel final : public Panel {
     }
     runningPlot(scope, {"change of energy", "J", kPlotHeight * scope.size}, series_, curves);
     names(scope, amounts);
-    if (onCard) {
-      return paragraph("The graphics card does not follow what is dissipated, nor the drift.", scope.colours.dim);
-    }
     const std::array drift{RunningCurve{.name = "drift", .channel = Drift, .colour = scope.colours.text, .scale = 100}};
     runningPlot(scope, {"drift of their sum", "% of the largest energy", kDriftHeight * scope.size, kLeastDrift},
                 series_, drift);
