@@ -207,12 +207,12 @@ class ControlPanel final : public Panel {
       wanted.precision = static_cast<Precision>(precision);
     }
     tip(scope, "How exact numbers are: float is faster, double rounds less.");
-    drawDevice(scope, wanted);
     name("damping", scope.size);
     constexpr std::array kLaws{"of relative velocity", "along the spring"};
     int law = static_cast<int>(wanted.damping);
     if (ImGui::Combo("##law", &law, kLaws.data(), int(kLaws.size()))) wanted.damping = static_cast<Damping>(law);
     tip(scope, "What dampers resist: every difference in velocity,\nor only what changes a spring's length.");
+    drawDevice(scope, wanted);
   }
 
   static void drawDevice(const PanelScope& scope, Scene& wanted) {
