@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/forces/terms/springs.h"
 #include "study/limits/stability.h"
@@ -102,14 +103,15 @@ HoldingChanges changesThatHold(const Scene& scene, const Method& method, double 
           .mass = threeDigitsAbove(scene.particleMass * mass)};
 }
 
-std::vector<std::string> springsThatLimit(const Scene& scene, const Method& method) {
+std::vector<std::string> springsThatLimit(const Scene& scene, const Method& method, bool byDamping) {
   constexpr std::array kNames{"structural", "shear", "bend"};
   const double limit = restLatticeLimit(scene, method);
   std::vector<std::string> names;
   if (std::isnan(limit)) return names;
   for (std::size_t k = 0; k < kSprings.size(); ++k) {
     Scene without = scene;
-    (without.*kSprings.at(k)) = {};
+    double& cause = byDamping ? (without.*kSprings.at(k)).kd : (without.*kSprings.at(k)).ks;
+    if (std::exchange(cause, 0) == 0) continue;
     const double other = restLatticeLimit(without, method);
     if (!(std::abs(other - limit) <= 0.01 * limit)) names.emplace_back(kNames.at(k));
   }
