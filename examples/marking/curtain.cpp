@@ -58,6 +58,9 @@ int main(int argc, char** argv) {
       position[i] = position[i] + h * velocity[i];
     }
     if (step % (steps / samples) != 0) continue;
+    for (const Vector& at : position) {
+      if (!std::isfinite(at.x + at.y + at.z)) return 1;  // it has exploded: what it has written by now is a motion
+    }
     for (int i = 0; i < side * side; ++i) {
       std::printf("%.9g,%d,%.17g,%.17g,%.17g\n", step * h, i, position[i].x, position[i].y, position[i].z);
     }
