@@ -70,6 +70,11 @@ std::int64_t GivenGhost::meet(const Simulation& live) {
   return static_cast<std::int64_t>(std::clamp(ticks, 1.0, static_cast<double>(kFar)));
 }
 
+bool GivenGhost::differs() const {
+  constexpr double kSame = 1e-9;  // of the size
+  return gap_ && gap_->largest > kSame * sheet_.size();
+}
+
 /// The live cloth as it is, or by its velocity less than a tick earlier or later.
 void GivenGhost::measure(const Simulation& live, std::size_t sample) {
   const double away = motion_->times[sample] - live.time();

@@ -42,6 +42,8 @@ class GivenGhost {
   [[nodiscard]] std::span<const float> positions() const { return positions_; }
   /// Of the last sample that was met; none since the last start.
   [[nodiscard]] const std::optional<SampleGap>& gap() const { return gap_; }
+  /// Whether the two were farther apart there than rounding takes two programs that do the same.
+  [[nodiscard]] bool differs() const;
   /// The distance of each particle at that sample, m.
   [[nodiscard]] std::span<const float> distances() const { return distances_; }
 

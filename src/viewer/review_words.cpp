@@ -51,6 +51,9 @@ Sentence placeWords(const MotionReview& review) {
 Sentence gapWords(const GivenGhost& ghost) {
   const std::optional<SampleGap>& gap = ghost.gap();
   if (!gap) return {"distance: measured at the motion's samples"};
+  if (!ghost.differs()) {
+    return {fmt::format("distance at {:.3f} s: none but by rounding", gap->time), Tone::Good};
+  }
   return {fmt::format("distance at {:.3f} s: {} RMS,\n{} at most", gap->time, lengthText(gap->rms),
                       lengthText(gap->largest))};
 }

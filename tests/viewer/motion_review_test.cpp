@@ -1,4 +1,6 @@
 // Motions that another program wrote, opened in the window: what is shown of them, what is found out, what is refused.
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <thread>
 
@@ -98,7 +100,20 @@ TEST_F(MotionReviewTest, TheDistanceIsMeasuredAtTheSamplesAndIsRoundingForTheSam
     EXPECT_NEAR(review().ghost().gap()->time, time, 1e-9);
     EXPECT_LT(review().ghost().gap()->largest, 1e-11);
   }
-  EXPECT_TRUE(holds(gapWords(review().ghost()).text, "distance at 1.800 s")) << gapWords(review().ghost()).text;
+  EXPECT_EQ(gapWords(review().ghost()).text, "distance at 1.800 s: none but by rounding");
+}
+
+TEST_F(MotionReviewTest, TheDistanceOfAnotherMotionIsSaidWithItsTime) {
+  drop(rows({"gravity doubled"}));
+  EXPECT_EQ(gapWords(review().ghost()).text, "distance: measured at the motion's samples");
+  tap(' ');
+  runTo(0.25);
+  const SampleGap gap = review().ghost().gap().value();
+  EXPECT_GT(gap.rms, 0.01);
+  EXPECT_GE(gap.largest, gap.rms);
+  EXPECT_TRUE(gapWords(review().ghost()).text.starts_with("distance at 0.200 s: ")) << gapWords(review().ghost()).text;
+  const std::span<const float> distances = review().ghost().distances();
+  EXPECT_FLOAT_EQ(*std::ranges::max_element(distances), float(gap.largest));
 }
 
 TEST_F(MotionReviewTest, BetweenItsSamplesItMovesOnASmoothCurveThroughThem) {

@@ -333,13 +333,14 @@ class ControlPanel final : public Panel {
 
   void drawEdits(const PanelScope& scope, Scene& wanted) {
     Viewer& viewer = scope.viewer;
+    constexpr float kBetween = 0.25F;  // of the text's size, so that all buttons fit
     bool edited = false;
     const auto button = [&edited, &scope](const char* text, const char* says, bool usable) {
       if (!usable) ImGui::BeginDisabled();
       const bool pressed = ImGui::Button(text);
       tip(scope, says);
       if (!usable) ImGui::EndDisabled();
-      ImGui::SameLine();
+      ImGui::SameLine(0, kBetween * scope.size);
       edited = edited || pressed;
       return pressed;
     };

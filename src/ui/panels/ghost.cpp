@@ -26,6 +26,7 @@ namespace {
 /// s of computing a frame: more would be felt in the frame rate, unless frames take long anyway.
 constexpr double kSecondsPerFrame = 0.008, kShareOfFrame = 0.25;
 constexpr float kOpacity = 0.5F;
+constexpr int kFramesToSettle = 4;
 constexpr float kBeside = 1.15F;  // sheet sizes from the live cloth to a ghost beside it
 
 double secondsFor(const Viewer& viewer) {
@@ -53,7 +54,7 @@ class GhostPanel final : public Panel {
 
   void close() override { ghost_.reset(), shown_ = {}; }
   [[nodiscard]] bool busy() const override {
-    if (given_) return news_;
+    if (given_) return settling_ > 0;
     return ghost_ && ghost_->behind() > 0 && ghost_->status() == Status::Ok && !ghost_->stalled();
   }
 
@@ -115,10 +116,10 @@ class GhostPanel final : public Panel {
     const GivenGhost& ghost = review.ghost();
     inStep_ = ghost.place() != GivenGhost::Place::Before;
     shown_ = {.sheet = &ghost.sheet(), .positions = ghost.positions()};
-    if (ghost.gap()) shown_.distances = ghost.distances(), shown_.largest = ghost.gap()->largest;
+    if (ghost.differs()) shown_.distances = ghost.distances(), shown_.largest = ghost.gap()->largest;
     const CheckProgress& check = review.check();
     const std::pair now{check.stage, std::lround(100 * check.fraction)};
-    news_ = std::exchange(seen_, now) != now;
+    settling_ = std::exchange(seen_, now) != now ? kFramesToSettle : std::max(0, settling_ - 1);
   }
 
   /// What the check says of a motion that another program wrote, and how far the cloth is from it.
@@ -208,7 +209,7 @@ class GhostPanel final : public Panel {
   bool given_ = false;  ///< it is a motion that another program wrote, and neither of the two above
   int opened_ = 0;      ///< of such motions, the last one seen
   std::pair<CheckProgress::Stage, long> seen_{};
-  bool news_ = false;
+  int settling_ = 0;  ///< frames until the panel is as high as what it says
   ShownGhost shown_;
   bool beside_ = false, coloured_ = true;
   bool inStep_ = false;         ///< or nearly
