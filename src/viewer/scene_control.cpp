@@ -10,7 +10,7 @@
 #include "core/simulation/live_parameters.h"
 #include "core/simulation/replay.h"
 #include "tyg/methods.h"
-#include "util/whole_file.h"
+#include "viewer/opened_file.h"
 
 namespace tyg {
 namespace {
@@ -38,11 +38,10 @@ SceneChange SceneControl::use(const Scene& scene) {
   return change;
 }
 
-void SceneControl::open(const std::string& path) {
+void SceneControl::open(const OpenedFile& file, const std::string& path) {
   if (run_.seeking()) return;
-  std::string text = readWholeFile(path, "cannot read", "a scene (.toml) or a log (.csv)");
-  if (text.starts_with("# ") && text.find("\ntick,event") != std::string::npos) return play(parseEventLog(text, path));
-  begin(parseScene(text, path, methodNames()), true);
+  if (file.kind == OpenedFile::Kind::Log) return play(parseEventLog(file.text, path));
+  begin(parseScene(file.text, path, methodNames()), true);
 }
 
 void SceneControl::play(EventLog log) {

@@ -13,6 +13,7 @@
 
 namespace tyg {
 
+struct OpenedFile;
 using StepText = std::array<char, 48>;
 
 class SceneControl {
@@ -24,7 +25,7 @@ class SceneControl {
   /// where the scene does not fit together. Returns what it took.
   SceneChange use(const Scene& scene);
   /// Opens a scene or the log of a run, which is then played. Throws InputError where it is neither, or cannot be used.
-  void open(const std::string& path);
+  void open(const OpenedFile& file, const std::string& path);
   /// By its slot in methods(); does nothing beyond the last one.
   void chooseMethod(std::size_t slot);
   /// By a twentieth.

@@ -175,6 +175,25 @@ TEST(Check, OfRandomProgramsAccusesNoRightOneAndNamesMistakes) {
   }
 }
 
+TEST(Check, ComesToTheSameWhateverTheNumberOfThreads) {
+  const Scene scene = checkedScene(Damping::Relative);
+  const auto rowsWith = [&](const std::vector<std::string>& made) {
+    return ownRows(OwnProgram(scene, made, "leapfrog", 2e-3), 2e-3, 100, 10);
+  };
+  const std::string two = rowsWith({"gravity doubled", "damping left out"});
+  const std::string three = rowsWith({"gravity doubled", "damping reversed", "shear springs left out"});
+  for (const std::string& text : {rowsWith({}), two, three}) {
+    const GivenMotion motion = readMotion(text, "motion.csv", scene);
+    const MotionCheck alone = checkMotion(scene, motion, {.dt = {}, .threads = 1, .observer = {}});
+    for (const int threads : {2, 5}) {
+      const MotionCheck many = checkMotion(scene, motion, {.dt = {}, .threads = threads, .observer = {}});
+      EXPECT_EQ(verdictWords(many), verdictWords(alone)) << threads;
+      EXPECT_EQ(many.explained, alone.explained) << threads;
+      EXPECT_EQ(many.withoutMistake, alone.withoutMistake) << threads;
+    }
+  }
+}
+
 TEST(Check, StopsWhereTheObserverSaysSo) {
   const Scene scene = checkedScene(Damping::Relative);
   const GivenMotion motion =

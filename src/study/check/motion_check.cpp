@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include "study/check/explanation_search.h"
 #include "study/limits/stability.h"
@@ -50,6 +51,10 @@ GivenMotion judgedPart(const Scene& scene, GivenMotion motion) {
     motion.rounding.pop_back();
   }
   return motion;
+}
+
+int threadsOf(const CheckOptions& options) {
+  return options.threads > 0 ? options.threads : std::max(1, int(std::thread::hardware_concurrency()));
 }
 
 bool isReportsRk4(const Explanation& of) { return of.way.name() == "report-rk4"; }
@@ -113,15 +118,12 @@ MotionCheck checkMotion(const Scene& scene, const GivenMotion& handedIn, const C
   }
   measureErrors(check, motion, options);
   if (check.stopped) return check;
-  ExplanationSearch search(check.scene, motion, options.dt, part(kSearchBegins, 1));
+  ExplanationSearch search(check.scene, motion, options.dt, threadsOf(options), part(kSearchBegins, 1));
   decide(check, search, options);
+  if (const Explanation* of = check.explanation()) check.explained = search.distances(*of);
+  if (check.mistaken) check.withoutMistake = search.withoutMistake(*check.mistaken);
   check.stopped = search.stopped();
   if (check.stopped) return check;
-  if (const Explanation* of = check.explanation()) {
-    const Trial trial{&of->model, of->way, of->dt};
-    check.explained = fitOf(trial, motion, {.samples = motion.times.size(), .goesOn = {}}).distances;
-  }
-  if (check.mistaken) check.withoutMistake = search.withoutMistake(*check.mistaken);
   if (const Explanation* of = check.explanation(); of != nullptr && of->way.known() && of->dt > 0) {
     const double limit = restLatticeLimit(check.scene, findMethod(of->way.name()));
     check.limit = limit > 0 ? limit : 0;

@@ -18,6 +18,7 @@
 #include "core/scene/bodies.h"
 #include "core/scene/same_sides.h"
 #include "tyg/methods.h"
+#include "ui/panels/open_menu.h"
 #include "viewer/cure.h"
 #include "viewer/edits.h"
 #include "viewer/push.h"
@@ -350,13 +351,14 @@ class ControlPanel final : public Panel {
 
   void drawEdits(const PanelScope& scope, Scene& wanted) {
     Viewer& viewer = scope.viewer;
+    constexpr float kBetween = 0.25F;  // of the text's size, so that all buttons fit
     bool edited = false;
     const auto button = [&edited, &scope](const char* text, const char* says, bool usable) {
       if (!usable) ImGui::BeginDisabled();
       const bool pressed = ImGui::Button(text);
       tip(scope, says);
       if (!usable) ImGui::EndDisabled();
-      ImGui::SameLine();
+      ImGui::SameLine(0, kBetween * scope.size);
       edited = edited || pressed;
       return pressed;
     };
@@ -365,7 +367,7 @@ class ControlPanel final : public Panel {
     if (button("Reset", "as it was opened", scope.edits.canReset(viewer))) scope.edits.reset(viewer);
     if (edited) wanted = viewer.scenes().scene();
     if (button("Save .toml", "into the folder that tyg was started in", true)) save(viewer);
-    ImGui::NewLine();
+    if (open_.draw(scope)) wanted = viewer.scenes().scene();
   }
 
   static void save(Viewer& viewer) {
@@ -377,6 +379,7 @@ class ControlPanel final : public Panel {
     }
   }
 
+  OpenMenu open_;
   std::optional<Scene> draft_;  ///< what a held field has come to
   Vec3 way_{1, 0, 0};           ///< of a speed that is 0 now
   std::array<int, 2> size_{};   ///< of the sheet, as typed

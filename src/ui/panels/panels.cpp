@@ -128,9 +128,17 @@ void Panels::setOpen(std::size_t which, bool open) {
   }
 }
 
+/// Whole, and as the one opened last.
+void Panels::show(std::size_t which) {
+  setOpen(which, true);
+  std::erase(order_, which);
+  order_.push_back(which);
+}
+
 void Panels::closeLast() { setOpen(order_.back(), false); }
 
 void Panels::follow(Viewer& viewer) {
+  if (const std::optional<InputAction> wanted = viewer.takeWantedPanel()) show(slotOf(*wanted));
   for (const std::size_t which : order_) slots_[which].panel->follow(viewer);
   if (!ImGui::IsAnyItemActive()) edits_.follow(viewer);
 }
@@ -285,7 +293,7 @@ void Panels::drawOne(std::size_t which, Viewer& viewer) {
   ImGui::End();
   if (byHand && std::max(std::abs(slot.shownX - slot.x), std::abs(slot.shownY - slot.y)) > 1) slot.dragged = true;
   if (!open) return setOpen(which, false);
-  if (slot.folded && onTitle && clicked()) std::erase(order_, which), order_.push_back(which);
+  if (slot.folded && onTitle && clicked()) show(which);
 }
 
 }  // namespace tyg
