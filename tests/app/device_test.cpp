@@ -1,5 +1,7 @@
 // --device: what a run on the graphics card reports, what is refused, and what happens where there is no card. Tests
 // that need OpenGL 4.3 are skipped where it is not there.
+#include <sstream>
+
 #include "app/program.h"
 
 namespace tyg {
@@ -67,6 +69,22 @@ TEST_F(RunOnCard, DrawsThePictureOfTheProcessor) {
   }
   EXPECT_EQ(contentsOf(folder / "gpu.png"), contentsOf(folder / "cpu.png"));
   EXPECT_NE(contentsOf(folder / "cpu.png"), "");
+}
+
+TEST_F(RunOnCard, OfAChartTakesTheTimedRunsInFloatOfTheMethodsThatTheCardKnows) {
+  const Folder folder;
+  const std::string out = (folder / "chart").string();
+  const Outcome chart = tyg("chart drop --quick --methods leapfrog,bs32 --horizon 0.1 --device gpu --out " + out);
+  EXPECT_EQ(chart.code, 0) << chart.err;
+  std::istringstream rows(contentsOf(folder / "chart" / "rows.csv"));
+  int onCard = 0, beside = 0;
+  for (std::string row; std::getline(rows, row);) {
+    const bool wanted = row.find(",leapfrog,float,") != std::string::npos;
+    EXPECT_EQ(row.ends_with(",gpu"), wanted) << row;
+    (wanted ? onCard : beside) += 1;
+  }
+  EXPECT_GT(onCard, 1);
+  EXPECT_GT(beside, 1);
 }
 
 TEST(RunWithoutCard, SaysWhyAndTakesTheProcessor) {
