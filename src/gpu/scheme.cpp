@@ -9,8 +9,8 @@ namespace {
 // v' = v + h a(x, v); x' = x + h v'
 
 std::vector<double> timesOfEuler(const StepTimes& steps, int count, bool /*hasForce*/) {
-  std::vector<double> times;
-  for (int k = 0; k < count; ++k) times.push_back(steps.at(k));
+  std::vector<double> times(static_cast<std::size_t>(count));
+  for (int k = 0; k < count; ++k) times[std::size_t(k)] = steps.at(k);
   return times;
 }
 

@@ -22,8 +22,8 @@ constexpr double kStepFactor = 1.05;
 
 }  // namespace
 
-SceneControl::SceneControl(const Scene& scene, const Settings& settings, RunControl& run, Notes& notes)
-    : run_(run), notes_(notes), scene_(scene), settings_(settings), method_(&findMethod(scene.integrator)) {}
+SceneControl::SceneControl(const Scene& scene, Settings settings, RunControl& run, Notes& notes)
+    : run_(run), notes_(notes), scene_(scene), settings_(std::move(settings)), method_(&findMethod(scene.integrator)) {}
 
 SceneChange SceneControl::use(const Scene& scene) {
   if (run_.seeking()) return SceneChange::None;

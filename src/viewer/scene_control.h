@@ -19,7 +19,7 @@ using StepText = std::array<char, 48>;
 class SceneControl {
  public:
   /// `scene`: that of the run's simulation. All that is given here must live as long as this does.
-  SceneControl(const Scene& scene, const Settings& settings, RunControl& run, Notes& notes);
+  SceneControl(const Scene& scene, Settings settings, RunControl& run, Notes& notes);
 
   /// Goes on with this scene: at once where the running simulation can, else from the start. Changes nothing and warns
   /// where the scene does not fit together. Returns what it took.

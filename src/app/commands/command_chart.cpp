@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -115,8 +116,8 @@ Earlier readEarlier(const Scene& scene, const std::string& path) {
 /// The parts of the work share one line of progress.
 class Charting {
  public:
-  Charting(const ChartOptions& options, const Scene& scene, const std::shared_ptr<Device>& device)
-      : options_(options), scene_(scene), device_(device), progress_("tyg chart " + scene.name) {
+  Charting(const ChartOptions& options, const Scene& scene, std::shared_ptr<Device> device)
+      : options_(options), scene_(scene), device_(std::move(device)), progress_("tyg chart " + scene.name) {
     threads_ = options.scene.threads.value_or(defaultThreads(scene.columns * scene.rows));
   }
 
