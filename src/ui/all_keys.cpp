@@ -57,6 +57,7 @@ void AllKeys::draw(TextWriter writer, std::span<const HelpLine> lines,
   list_.clear();
   const ImVec2 extent{std::floor(size * best.width), std::floor(size * best.height)};
   const ImVec2 at{std::floor((screen.x - extent.x) / 2), std::floor((screen.y - extent.y) / 2)};
+  applyStyle(writer.background, size);
   ImGui::SetNextWindowPos(at);
   ImGui::SetNextWindowSize(extent);
   ImGui::SetNextWindowBgAlpha(1);

@@ -73,24 +73,25 @@ float drawFailurePicture(TextWriter writer, ImVec2 upper, ImVec2 lower, const Vi
                   kSmallest = 0.6F;  // in a window of fewer lines it is smaller, to leave the cloth in view
   writer.size *= std::clamp(ImGui::GetIO().DisplaySize.y / (kLines * writer.size), kSmallest, 1.0F);
   const std::optional<FailingMotion>& motion = viewer.run().failure().motion();
-  if (!motion) return 0;
   const auto moments = viewer.run().breaking();
   const bool breaks = moments.size() > 1 && viewer.run().showsBreaking();
+  if (!motion && !breaks) return 0;
   const float size = writer.size, pad = kPad * size;
-  const std::string name = "fails first: " + motion->name;
+  const std::string name = motion ? "fails first: " + motion->name : "";
   const float height = 2 * pad + (kLine + kPattern) * size;
-  const float plot = breaks ? kPlot * size + pad : 0;
-  const float width = std::max(writer.extent(name).x, kPattern * size + plot) + 2 * pad;
+  const float pattern = motion ? kPattern * size + pad : 0, plot = breaks ? kPlot * size + pad : 0;
+  const float width = std::max(writer.extent(name).x + pad, pattern + plot) + pad;
   const ImVec2 from{lower.x - width, upper.y};
   if (from.x - kLeastCloth * size < upper.x || from.y + height > lower.y) return 0;
   writer.shade(from, {lower.x, from.y + height});
   writer.write({from.x + pad, from.y + pad}, coloursOn(writer.background).text, name);
   const ImVec2 at{from.x + pad, from.y + pad + kLine * size};
-  drawPattern(writer, at, *motion);
+  if (motion) drawPattern(writer, at, *motion);
   if (!breaks) return width;
-  const float left = at.x + kPattern * size + pad;
-  writer.write({left, at.y}, coloursOn(writer.background).dim, "kinetic energy");
-  drawEnergy(writer, {left, at.y + kLine * size}, {left + kPlot * size, at.y + kPattern * size}, moments);
+  const float left = at.x + pattern;
+  writer.write({left, motion ? at.y : at.y - kLine * size}, coloursOn(writer.background).dim, "kinetic energy");
+  drawEnergy(writer, {left, motion ? at.y + kLine * size : at.y}, {left + kPlot * size, at.y + kPattern * size},
+             moments);
   return width;
 }
 

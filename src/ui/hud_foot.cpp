@@ -145,7 +145,7 @@ float Hud::drawStatus(const Viewer& viewer) const {
     text += "- frames/s  \u00b7  - % simulating";
   }
   if (viewer.behind()) text += fmt::format("  \u00b7  {:.2g} of real time", pace.realTime);
-  if (viewer.run().state() == RunState::Running) text += slowText(pace.slow);
+  if (viewer.run().state() == RunState::Running && !viewer.run().asleep()) text += slowText(pace.slow);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   TextWriter writer = writerFor(viewer);
   const float room = screen.x - 2 * size_, width = writer.extent(text).x;
@@ -220,7 +220,7 @@ std::string Hud::promptText(const Viewer& viewer) const {
   const RunControl& run = viewer.run();
   const Timeline time = run.timeline();
   if (!viewer.notes().text().empty()) return viewer.notes().text();
-  if (run.state() == RunState::Waiting) return "space, a click or a drag starts it";
+  if (run.state() == RunState::Waiting) return "space, or a click or a drag on the cloth, starts it";
   if (run.state() == RunState::Paused && time.past) {
     return backText(time.newest - time.shown) + " back  \u00b7  space goes on from here";
   }

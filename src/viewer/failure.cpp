@@ -40,11 +40,15 @@ void Failure::freeze(std::string message) {
   message_ = std::move(message);
 }
 
-void Failure::freezeOnAlarm(Simulation& simulation, const ShownState& shown, double alarmTime) {
+void Failure::freezeOnAlarm(Simulation& simulation, const ShownState& shown) {
+  constexpr int kCalls = 20;  // until the limit of the present shape has settled
+  if (!runsOn_) {
+    for (int k = 0; k < kCalls; ++k) (void)simulation.liveStableStep();
+  }
   updateMargin(simulation);
-  if (!lastGood_ || alarmTime != alarmTime_) {  // else it is the same one, reached again
+  if (!runsOn_ && (!lastGood_ || simulation.alarmTime() != alarmTime_)) {  // else it is the same one, reached again
     lastGood_.reset();
-    alarmTime_ = alarmTime;
+    alarmTime_ = simulation.alarmTime();
     motion_ = failingMotion(simulation, margin());
   }
   const Cure cure = findCure(simulation, margin().limit);

@@ -36,9 +36,8 @@ class Failure {
   void restart();
   /// Something was thrown: it has no cure.
   void freeze(std::string message);
-  /// The alarm stopped the simulation at this time (s), or a tick of it was given up after these seconds; `shown` is
-  /// before that.
-  void freezeOnAlarm(Simulation& simulation, const ShownState& shown, double alarmTime);
+  /// The alarm stopped the simulation, or a tick of it was given up after these seconds; `shown` is before that.
+  void freezeOnAlarm(Simulation& simulation, const ShownState& shown);
   void freezeOnStall(Simulation& simulation, const ShownState& shown, double seconds);
   /// The cloth is no longer frozen.
   void thaw();

@@ -114,8 +114,10 @@ class RunControl {
   int run(std::int64_t ticks, double seconds);
   void show();
   void noteFastContact();
-  double alarmTimeAhead();
-  void freezeOnAlarm(double alarmTime);
+  bool failsAhead();
+  void goBackToAlarm();
+  [[nodiscard]] std::int64_t ticksToBreak();
+  void freezeOnAlarm();
   void freezeOnStall();
 
   Clock clock_;
@@ -123,6 +125,7 @@ class RunControl {
   RunListener& listener_;
   Simulation simulation_;
   Playback playback_;
+  double ticksPerSecond_ = 1;  ///< of the clock, in which a cloth is let break
   History history_;
   TickRunner ticks_;
   SleepWatch sleep_;

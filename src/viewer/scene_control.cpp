@@ -29,7 +29,7 @@ SceneChange SceneControl::use(const Scene& scene) {
   if (run_.seeking()) return SceneChange::None;
   const SceneChange change = changeBetween(scene_, scene);
   try {
-    if (change == SceneChange::Live) useLive(scene);
+    if (change == SceneChange::Live) useLive(scene), goOnWhereMended();
     if (change > SceneChange::Live) begin(scene, change == SceneChange::NewSheet);
   } catch (const std::exception& error) {
     notes_.warn(error.what());
@@ -79,18 +79,30 @@ void SceneControl::useMethod(const Method& method) {
 }
 
 void SceneControl::chooseMethod(std::size_t slot) {
-  if (slot < methods().size()) useMethod(methods()[slot]);
+  if (slot >= methods().size()) return;
+  useMethod(methods()[slot]);
+  goOnWhereMended();
 }
 
 void SceneControl::useStep(double dt) {
-  if (run_.state() == RunState::Frozen || run_.seeking()) return;
-  run_.intervene().useStep(std::clamp(dt, kShortestStep * scene_.duration, kLongestStep * scene_.duration));
+  if (run_.seeking()) return;
+  const double step = std::clamp(dt, kShortestStep * scene_.duration, kLongestStep * scene_.duration);
+  if (run_.state() == RunState::Frozen) {
+    scene_.dt = step;
+    return run_.fitCure(scene_);
+  }
+  run_.intervene().useStep(step);
   followSimulation();
 }
 
-void SceneControl::smallerStep() { useStep(run_.simulation().dt() / kStepFactor); }
+void SceneControl::changeStep(double factor) {
+  useStep(scene_.dt * factor);
+  goOnWhereMended();
+}
 
-void SceneControl::largerStep() { useStep(run_.simulation().dt() * kStepFactor); }
+void SceneControl::smallerStep() { changeStep(1 / kStepFactor); }
+
+void SceneControl::largerStep() { changeStep(kStepFactor); }
 
 void SceneControl::followSimulation() {
   const Simulation& simulation = run_.simulation();
@@ -168,10 +180,12 @@ void SceneControl::takeSafeStep() {
   if (step > 0) wanted.dt = step, cureWith(wanted);
 }
 
+/// Goes on from before a failure where what is chosen by now holds.
 void SceneControl::goOnWhereMended() {
   const Simulation& failed = run_.simulation();
   if (run_.state() != RunState::Frozen || !run_.failure().cure()) return;
-  if (method_ == &failed.method() && scene_.dt == failed.dt()) return;
+  const bool same = method_ == &failed.method() && scene_.dt == failed.dt();
+  if (same && sameLiveParameters(scene_, failed.scene())) return;
   run_.updateMargin(scene_);
   if (run_.margin().band() == MarginBand::Past) return;
   const Scene wanted = scene_;

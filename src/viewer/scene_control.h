@@ -35,8 +35,6 @@ class SceneControl {
   void takeSafeStep();
   /// The method of the cure; does nothing where there is none.
   void takeHoldingMethod();
-  /// Goes on from before a failure where the method and the step that are chosen by now hold.
-  void goOnWhereMended();
   /// From the start, with the scene, method and step that are chosen.
   void restart();
   /// Whether to follow the dissipated energy, restarts included.
@@ -67,6 +65,8 @@ class SceneControl {
   void useLive(const Scene& scene);
   void useMethod(const Method& method);
   void useStep(double dt);
+  void changeStep(double factor);
+  void goOnWhereMended();
   void begin(Scene scene, bool newSheet);
   void play(EventLog log);
   void cureWith(const Scene& wanted);

@@ -5,6 +5,12 @@
 #include <cmath>
 
 namespace tyg {
+namespace {
+
+/// Sheet sizes: of a cloth that is let break and is larger than this there is nothing to see.
+constexpr double kMostSizes = 1000;
+
+}  // namespace
 
 bool ShownState::take(const Simulation& simulation, bool pastAlarm) {
   const Glance glance = simulation.glance();
@@ -15,6 +21,7 @@ bool ShownState::take(const Simulation& simulation, bool pastAlarm) {
   simulation.copyPositions(next_);
   // A run past its alarm leaves what a picture can hold before it leaves what can be computed with.
   if (!std::ranges::all_of(next_, [](float x) { return std::isfinite(x); })) return false;
+  if (pastAlarm && double(boxAround(next_).size()) > kMostSizes * simulation.sheet().size()) return false;
   positions_.swap(next_);
   kinetic_ = glance.ledger.kinetic;
   time_ = simulation.time();

@@ -64,10 +64,13 @@ bool Panels::covers(double x, double y) const {
   });
 }
 
+bool Panels::isPopupOpen() {
+  return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
+
 /// ImGui's own word for it comes a frame late: a quick hand has moved to a panel, or away from it, since.
 bool Panels::takesMouse(const WindowEvent& event) const {
-  constexpr int kAny = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
-  return covers(event.x, event.y) || ImGui::IsPopupOpen("", kAny) || ImGui::IsAnyItemActive();
+  return covers(event.x, event.y) || isPopupOpen() || ImGui::IsAnyItemActive();
 }
 
 bool Panels::handle(const WindowEvent& event, Viewer& viewer) {
@@ -81,7 +84,7 @@ bool Panels::handle(const WindowEvent& event, Viewer& viewer) {
     return true;
   }
   if (event.key == kEscapeKey && !order_.empty()) {
-    closeLast();
+    if (!isPopupOpen()) closeLast();  // else it closes that
     return true;
   }
   const Input* input = findInput(event.key);

@@ -52,6 +52,7 @@ class Panels {
     float shownX = 0, shownY = 0, width = 0, height = 0;  ///< as last drawn; 0 before
   };
   [[nodiscard]] bool covers(double x, double y) const;
+  [[nodiscard]] static bool isPopupOpen();
   [[nodiscard]] bool takesMouse(const WindowEvent& event) const;
   void setOpen(std::size_t which, bool open);
   void show(std::size_t which);
