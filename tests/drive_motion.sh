@@ -66,6 +66,9 @@ click 400 170
 few_frames 8
 said_in WARNING
 picture odd
+press Escape # closes the menu alone
+few_frames
+said_in WARNING
 
 # It moves with the time of the run, and the cloth is coloured by how far it is from it.
 press space

@@ -92,6 +92,11 @@ void decide(MotionCheck& check, ExplanationSearch& search, const CheckOptions& o
 
 const Explanation* MotionCheck::explanation() const { return mistaken ? &*mistaken : right ? &*right : nullptr; }
 
+bool MotionCheck::stepIsTooLong() const {
+  const Explanation* of = explanation();
+  return of != nullptr && limit > 0 && of->dt > limit;
+}
+
 MotionCheck checkMotion(const Scene& scene, const GivenMotion& handedIn, const CheckOptions& options) {
   MotionCheck check;
   check.scene = scene;
