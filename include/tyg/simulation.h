@@ -44,6 +44,12 @@ struct Ledger {
   [[nodiscard]] double mechanical() const { return kinetic + stored.sum(); }
 };
 
+/// What a run looks like at a moment.
+struct Glance {
+  Ledger ledger;
+  Status status = Status::Ok;
+};
+
 /// What a caller may ask of a simulation besides its scene.
 struct Settings {
   int threads = 0;         ///< 0: one for sheets too small to gain from more, else one for each core
@@ -150,6 +156,9 @@ class Simulation {
 
   /// The energies now. This is an energy check as well: it never makes a later alarm less likely.
   Ledger ledger();
+  /// What ledger() and then status() would say now, without an energy check: when the alarm goes does not depend on how
+  /// often somebody looks.
+  [[nodiscard]] Glance glance() const;
   /// Largest stable step (s) of the present method at the present state, damping included: infinite where nothing sets
   /// a limit, NaN where the method has none (rkc2, whose stages follow the sheet's waves, included) or the state is not
   /// finite. Costs at most four force evaluations, which are not counted, and leaves the motion alone. It follows one

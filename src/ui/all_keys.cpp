@@ -18,7 +18,7 @@ namespace {
 // In sizes of the text.
 constexpr float kLine = 1.35F, kPad = 0.7F, kBetween = 1.6F;
 constexpr std::size_t kMostColumns = 4;
-constexpr std::string_view kTitle = "All keys, and buttons: a click does what the key does. F1 or Esc closes this.";
+constexpr std::string_view kTitle = "All keys. A click on a line does what its key does. F1 or Esc closes the list.";
 
 struct Columns {
   std::vector<std::vector<const HelpLine*>> lines;

@@ -40,17 +40,11 @@ void Failure::freeze(std::string message) {
   message_ = std::move(message);
 }
 
-/// The alarm looks every few steps and wherever a run stops, so that its time depends on how it is reached.
-bool Failure::isKnown(const Simulation& simulation) const {
-  return lastGood_ && simulation.alarmTime() >= lastGood_->time && method_ == &simulation.method() &&
-         step_ == simulation.dt();
-}
-
-void Failure::freezeOnAlarm(Simulation& simulation, const ShownState& shown) {
+void Failure::freezeOnAlarm(Simulation& simulation, const ShownState& shown, double alarmTime) {
   updateMargin(simulation);
-  if (!isKnown(simulation)) {
+  if (!lastGood_ || alarmTime != alarmTime_) {  // else it is the same one, reached again
     lastGood_.reset();
-    alarmTime_ = simulation.alarmTime(), method_ = &simulation.method(), step_ = simulation.dt();
+    alarmTime_ = alarmTime;
     motion_ = failingMotion(simulation, margin());
   }
   const Cure cure = findCure(simulation, margin().limit);

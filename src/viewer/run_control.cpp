@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <exception>
 #include <utility>
 
@@ -205,11 +206,14 @@ int RunControl::run(std::int64_t ticks, double seconds) {
 
 /// Takes the simulation's state over for drawing, unless the alarm says that it is not worth showing.
 void RunControl::show() {
-  if (!shown_.take(simulation_, failure_.runsOn())) return freezeOnAlarm();
+  if (!shown_.take(simulation_, failure_.runsOn())) {
+    const double alarm = alarmTimeAhead();
+    if (!std::isnan(alarm) || !shown_.take(simulation_, true)) return freezeOnAlarm(alarm);
+  }
   if (failure_.runsOn() && simulation_.status() != Status::Ok) {
     breaking_.note(shown_);
     const bool isOver = BreakRecord::hasBroken(shown_) || breaking_.isSeen(simulation_.dt());
-    if (isOver && state_ == RunState::Running && !history_.past()) return freezeOnAlarm();
+    if (isOver && state_ == RunState::Running && !history_.past()) return freezeOnAlarm(failure_.alarmTime());
   } else if (!failure_.lastGood()) {
     breaking_.clear();
   }
@@ -222,6 +226,19 @@ void RunControl::show() {
   }
 }
 
+/// A look between two energy checks has found the run unstable. When the next check will find it so too: a failure has
+/// this time whatever frames there were. The simulation stays here, and NaN says that it passes that check.
+double RunControl::alarmTimeAhead() {
+  if (failure_.lastGood() && (history_.past() || failure_.runsOn())) return failure_.alarmTime();
+  constexpr int kTicks = 64;  // a check comes every 64 steps, and a tick is a step at least
+  const Snapshot here = simulation_.save();
+  simulation_.tick(kTicks);
+  const bool stalls = ticks_.takeStall() && simulation_.status() == Status::Ok;
+  const double time = stalls ? here.time() : simulation_.alarmTime();
+  simulation_.restore(here);
+  return time;
+}
+
 /// Said once in a run.
 void RunControl::noteFastContact() {
   if (isFastContactNoted_ || state_ != RunState::Running || simulation_.status() != Status::Ok) return;
@@ -231,11 +248,12 @@ void RunControl::noteFastContact() {
   notes_.warn(std::move(note));
 }
 
-void RunControl::freezeOnAlarm() {
+void RunControl::freezeOnAlarm(double alarmTime) {
+  simulation_.check();
   playback_.endReplay();
   listener_.settingsReturned();
   state_ = RunState::Frozen;
-  failure_.freezeOnAlarm(simulation_, shown_);
+  failure_.freezeOnAlarm(simulation_, shown_, alarmTime);
   failure_.setRunsOn(false);
 }
 

@@ -6,18 +6,17 @@
 
 namespace tyg {
 
-bool ShownState::take(Simulation& simulation, bool pastAlarm) {
-  const double kinetic = simulation.ledger().kinetic;  // checks the alarm too
+bool ShownState::take(const Simulation& simulation, bool pastAlarm) {
+  const Glance glance = simulation.glance();
   const auto numbers = static_cast<std::size_t>(3 * simulation.sheet().count());
   positions_.resize(numbers);
-  const Status status = simulation.status();
-  if (status == Status::NotFinite || (status != Status::Ok && !pastAlarm)) return false;
+  if (glance.status == Status::NotFinite || (glance.status != Status::Ok && !pastAlarm)) return false;
   next_.resize(numbers);
   simulation.copyPositions(next_);
   // A run past its alarm leaves what a picture can hold before it leaves what can be computed with.
   if (!std::ranges::all_of(next_, [](float x) { return std::isfinite(x); })) return false;
   positions_.swap(next_);
-  kinetic_ = kinetic;
+  kinetic_ = glance.ledger.kinetic;
   time_ = simulation.time();
   tick_ = simulation.ticks();
   box_ = boxAround(positions_);

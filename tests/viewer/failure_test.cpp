@@ -146,6 +146,32 @@ TEST_F(WildViewerTest, RunsOnPastItsAlarmWhenToldToAndComesBack) {
   EXPECT_EQ(viewer_.run().state(), RunState::Running);
 }
 
+/// When the alarm goes, s, in frames that come at this rate.
+double alarmTimeAt(double framesPerSecond, double dt) {
+  Scene scene = loadScene("curtain");
+  scene.dt = dt;
+  double now = 0;
+  Viewer viewer(scene, Settings{.threads = 1}, [&now] { return now; });
+  viewer.perform(InputAction::StartOrPause);
+  for (int frame = 0; frame < 3000 && viewer.run().state() == RunState::Running; ++frame) {
+    now += 1 / framesPerSecond;
+    viewer.frame();
+  }
+  return viewer.run().failure().alarmTime();
+}
+
+TEST(FailureTest, AFailureHasTheTimeOfAPlainRunWhateverTheFrameRate) {
+  for (const double dt : {0.0046, 0.006, 0.02}) {
+    Scene scene = loadScene("curtain");
+    scene.dt = dt;
+    Simulation plain(scene, findMethod(scene.integrator), {});
+    plain.tick(100000);
+    ASSERT_NE(plain.status(), Status::Ok);
+    for (const double rate : {17.0, 60.0, 144.0})
+      EXPECT_EQ(alarmTimeAt(rate, dt), plain.alarmTime()) << dt << " " << rate;
+  }
+}
+
 /// Just past its limit, where an instability takes a while to grow.
 class BreakingViewerTest : public ViewerTest {
  protected:

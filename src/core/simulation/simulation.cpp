@@ -160,6 +160,12 @@ Vec3 Simulation::velocity(int particle) const { return impl_->backend->velocity(
 void Simulation::copyPositions(std::span<float> xyz) const { impl_->backend->copyPositions(xyz); }
 std::uint64_t Simulation::hash() const { return impl_->sheet.missing.mixedInto(impl_->backend->hash()); }
 Ledger Simulation::ledger() { return impl_->run.energies.ledger(impl_->sample()); }
+Glance Simulation::glance() const {
+  EnergyWatch energies = impl_->run.energies;
+  Glance glance{.ledger = energies.ledger(impl_->sample())};
+  glance.status = energies.status();
+  return glance;
+}
 double Simulation::liveStableStep() { return impl_->backend->liveStableStep(method(), time()); }
 Status Simulation::check() {
   impl_->checkEnergies();

@@ -170,9 +170,9 @@ class ControlPanel final : public Panel {
                                                       : colours.past;
     const ImVec4 ink = ImGui::ColorConvertU32ToFloat4(colour);
     if (band == MarginBand::Past) {
-      ImGui::TextColored(ink, "%.3g times the limit, %.3g ms", margin.share(), 1e3 * margin.limit);
+      ImGui::TextColored(ink, "%.3g times the largest, %.3g ms", margin.share(), 1e3 * margin.limit);
     } else {
-      ImGui::TextColored(ink, "%.0f %% of the limit, %.3g ms", 100 * margin.share(), 1e3 * margin.limit);
+      ImGui::TextColored(ink, "%.0f %% of the largest, %.3g ms", 100 * margin.share(), 1e3 * margin.limit);
     }
   }
 
@@ -258,7 +258,9 @@ class ControlPanel final : public Panel {
     ImGui::TableNextRow();
     for (int column = 1; column < 3; ++column) {
       ImGui::TableSetColumnIndex(column);
-      ImGui::TextDisabled("%s", column == 1 ? "stiffness, N/m" : "damping, N s/m");
+      const char* whole = column == 1 ? "stiffness, N/m" : "damping, N s/m";
+      const bool fits = ImGui::CalcTextSize(whole).x <= ImGui::GetContentRegionAvail().x;
+      ImGui::TextDisabled("%s", fits ? whole : column == 1 ? "stiffness" : "damping");
     }
     for (const ForceTerm* term : forceTerms()) {
       if (!term->family) continue;

@@ -222,7 +222,8 @@ void Panels::arrange(Edge edge) {
     Slot& slot = slots_[order_[k]];
     if (!isAtEdge(order_[k], edge)) continue;
     const float more = std::max(0.0F, slot.natural - slot.title);
-    slot.folded = !newest && more + (slot.folded ? kLeeway * size_ : 0) > spare;
+    const bool room = more + (slot.folded ? kLeeway * size_ : 0) <= spare;
+    slot.folded = !room && (!newest || slot.title + spare < kLowest * size_);
     if (!slot.folded) spare -= more;
     newest = false;
   }
