@@ -50,12 +50,17 @@ struct Glance {
   Status status = Status::Ok;
 };
 
+class Device;
+
 /// What a caller may ask of a simulation besides its scene.
 struct Settings {
   int threads = 0;         ///< 0: one for sheets too small to gain from more, else one for each core
   bool ledger = false;     ///< follow the dissipated energy: a step then takes 1.6 times (double) to 2.6 times (float)
                            ///< as long
   bool keepGoing = false;  ///< run on after the energy alarm
+  /// What moves the cloth in place of the processor, in float, such as the graphics card that the program itself can
+  /// take; null: the processor does.
+  std::shared_ptr<Device> device{};
 };
 
 /// A checkpoint: a complete copy of a moving simulation. Restoring it and going on gives the same bits as never having
@@ -140,6 +145,7 @@ class Simulation {
   [[nodiscard]] std::int64_t steps() const;
   [[nodiscard]] std::int64_t forceEvaluations() const;
   [[nodiscard]] int threads() const;
+  [[nodiscard]] bool onDevice() const;              ///< whether a device moves the cloth in place of the processor
   [[nodiscard]] const Scene& scene() const;         ///< with the springs and the world that are in use
   [[nodiscard]] const Scene& startScene() const;    ///< as it began
   [[nodiscard]] const Sheet& sheet() const;         ///< as it is now, with its pins and what was cut

@@ -22,8 +22,8 @@ constexpr double kStepFactor = 1.05;
 
 }  // namespace
 
-SceneControl::SceneControl(const Scene& scene, const Settings& settings, RunControl& run, Notes& notes)
-    : run_(run), notes_(notes), scene_(scene), settings_(settings), method_(&findMethod(scene.integrator)) {}
+SceneControl::SceneControl(const Scene& scene, Settings settings, RunControl& run, Notes& notes)
+    : run_(run), notes_(notes), scene_(scene), settings_(std::move(settings)), method_(&findMethod(scene.integrator)) {}
 
 SceneChange SceneControl::use(const Scene& scene) {
   if (run_.seeking()) return SceneChange::None;
@@ -112,11 +112,12 @@ void SceneControl::followSimulation() {
   copyLiveParameters(simulation.scene(), scene_);
 }
 
-void SceneControl::begin(const Scene& scene, bool newSheet) {
+void SceneControl::begin(Scene scene, bool newSheet) {
+  if (newSheet && onCard()) scene.precision = Precision::Float;
   const Method& method = findMethod(scene.integrator);
   Simulation fresh(scene, method, settings_);  // first: it may refuse the scene
   const bool running = run_.state() == RunState::Running;
-  scene_ = scene;
+  scene_ = std::move(scene);
   method_ = &method;
   if (newSheet) ++sheetsSoFar_;
   ++runsSoFar_;
@@ -133,6 +134,25 @@ void SceneControl::restart() {
 void SceneControl::followLedger(bool on) {
   settings_.ledger = on;
   run_.followLedger(on);
+}
+
+void SceneControl::moveOnCard(bool on) {
+  if (run_.seeking() || on == onCard() || !cardOffer_) return;
+  try {
+    Scene scene = scene_;
+    if (on) scene.precision = Precision::Float;
+    OfferedCard card;
+    if (on) card = cardOffer_(scene);
+    Settings settings = settings_;
+    settings.device = card.device;
+    Simulation fresh(scene, *method_, settings);
+    scene_ = std::move(scene), settings_ = std::move(settings);
+    ++runsSoFar_;
+    run_.startOver(std::move(fresh));
+    if (!card.sentence.empty()) notes_.say(card.sentence);
+  } catch (const std::exception& error) {
+    notes_.warn(error.what());
+  }
 }
 
 /// At once, or, after an alarm, shortly before the failure, and goes on from there. What was set since that time, or

@@ -5,7 +5,9 @@
 
 #include <array>
 #include <string>
+#include <utility>
 
+#include "viewer/card_offer.h"
 #include "viewer/run_control.h"
 #include "viewer/scene_change.h"
 
@@ -17,7 +19,7 @@ using StepText = std::array<char, 48>;
 class SceneControl {
  public:
   /// `scene`: that of the run's simulation. All that is given here must live as long as this does.
-  SceneControl(const Scene& scene, const Settings& settings, RunControl& run, Notes& notes);
+  SceneControl(const Scene& scene, Settings settings, RunControl& run, Notes& notes);
 
   /// Goes on with this scene: at once where the running simulation can, else from the start. Changes nothing and warns
   /// where the scene does not fit together. Returns what it took.
@@ -37,6 +39,13 @@ class SceneControl {
   void restart();
   /// Whether to follow the dissipated energy, restarts included.
   void followLedger(bool on);
+  /// From now on a graphics card can be had.
+  void offerCard(CardOffer offer) { cardOffer_ = std::move(offer); }
+  [[nodiscard]] bool canHaveCard() const { return cardOffer_ != nullptr; }
+  /// Whether the graphics card moves the cloth, which then begins anew, in float. Says what the card is; changes
+  /// nothing and warns where none serves.
+  void moveOnCard(bool on);
+  [[nodiscard]] bool onCard() const { return settings_.device != nullptr; }
   /// Time came to a tick that may have had another method, step or live parameters: they are the chosen ones now.
   void followSimulation();
 
@@ -58,7 +67,7 @@ class SceneControl {
   void useStep(double dt);
   void changeStep(double factor);
   void goOnWhereMended();
-  void begin(const Scene& scene, bool newSheet);
+  void begin(Scene scene, bool newSheet);
   void play(EventLog log);
   void cureWith(const Scene& wanted);
 
@@ -66,6 +75,7 @@ class SceneControl {
   Notes& notes_;
   Scene scene_;
   Settings settings_;
+  CardOffer cardOffer_;
   const Method* method_;
   int sheetsSoFar_ = 1, runsSoFar_ = 1;
 };

@@ -6,6 +6,7 @@
 
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
+#include "app/commands/device_options.h"
 #include "app/commands/option_checks.h"
 #include "app/output/render.h"
 #include "study/motion/telling_moment.h"
@@ -20,6 +21,7 @@ constexpr std::size_t kMostFrames = 100'000;
 
 struct RenderOptions {
   SceneOptions scene;
+  DeviceOptions device;
   std::optional<double> at, from, to, fps;
   std::string size = "1280x720";
   std::optional<std::string> out;
@@ -65,7 +67,8 @@ std::vector<double> chosenTimes(const Scene& scene, const RenderOptions& options
 }
 
 int renderChosen(const RenderOptions& options) {
-  const Scene scene = chosenScene(options.scene);
+  Scene scene = chosenScene(options.scene);
+  takeFloatOnCard(scene, options.device, options.scene.precision.has_value());
   RenderRequest request;
   request.show = chosenShow(options.look, scene);
   request.times = chosenTimes(scene, options);
@@ -75,6 +78,7 @@ int renderChosen(const RenderOptions& options) {
   request.out = options.out.value_or(fileStem(scene.name) + (request.times.size() > 1 ? "" : ".png"));
   request.draw.background = options.light ? Background::Light : Background::Dark;
   request.threads = options.scene.threads.value_or(0);
+  request.device = chosenDevice(options.device, scene, request.threads, "tyg render").device;
   return render(scene, request);
 }
 
@@ -84,6 +88,7 @@ void addRenderCommand(CLI::App& app, Action& action) {
   Command command(app, "render", "Draw a picture, a sequence or a movie, without a display");
   const auto options = std::make_shared<RenderOptions>();
   addSceneOptions(command, options->scene);
+  addDeviceOption(command, options->device);
   const auto time = [](const char* option) {
     return [=](const std::string& text) { return parseTime(option, text, Zero::Allowed); };
   };

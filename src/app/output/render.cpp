@@ -51,8 +51,9 @@ Form formOf(const fs::path& out) {
 /// A simulation that is advanced from picture to picture, and the positions and bodies that were last seen.
 class Motion3d {
  public:
-  Motion3d(const Scene& scene, int threads, const std::function<bool(double)>& progress)
-      : simulation_(scene, findMethod(scene.integrator), Settings{.threads = threads}),
+  Motion3d(const Scene& scene, const RenderRequest& request, const std::function<bool(double)>& progress)
+      : simulation_(scene, findMethod(scene.integrator),
+                    Settings{.threads = request.threads, .device = request.device}),
         xyz_(3 * static_cast<std::size_t>(simulation_.sheet().count())) {
     simulation_.observe([this, progress] { return progress(simulation_.time()); });
     simulation_.copyPositions(xyz_);
@@ -201,7 +202,7 @@ int stopped(Simulation& simulation, Progress& progress) {
 int renderPicture(const Scene& scene, const RenderRequest& request) {
   const double time = request.times.front();
   Progress progress("tyg render " + scene.name);
-  Motion3d motion(scene, request.threads, [&](double now) { return progress.show(now / std::max(time, scene.dt)); });
+  Motion3d motion(scene, request, [&](double now) { return progress.show(now / std::max(time, scene.dt)); });
   Studio studio = openStudio(motion.simulation(), request);
   if (!motion.reach(time)) return stopped(motion.simulation(), progress);
   Framing framing;
@@ -215,7 +216,7 @@ int renderSequence(const Scene& scene, const RenderRequest& request) {
   const double end = request.times.back();
   Progress progress("tyg render " + scene.name);
   constexpr double kFirstShare = 0.2;  // of the time that both passes take: drawing is the slower part
-  Motion3d scout(scene, request.threads, [&](double now) { return progress.show(kFirstShare * now / end); });
+  Motion3d scout(scene, request, [&](double now) { return progress.show(kFirstShare * now / end); });
   Studio studio = openStudio(scout.simulation(), request);
   Framing framing;
   for (const double time : request.times) {
@@ -227,7 +228,7 @@ int renderSequence(const Scene& scene, const RenderRequest& request) {
   const bool isMovie = formOf(request.out) == Form::Movie;
   std::optional<Movie> movie;
   if (isMovie) movie.emplace(request.out, MovieForm{request.size.x, request.size.y, request.fps}, interrupted);
-  Motion3d motion(scene, request.threads, [](double) { return !interrupted(); });
+  Motion3d motion(scene, request, [](double) { return !interrupted(); });
   for (std::size_t frame = 0; frame < request.times.size(); ++frame) {
     if (!motion.reach(request.times[frame])) return stopped(motion.simulation(), progress);
     const Picture& picture = studio.draw(motion, camera);

@@ -213,6 +213,22 @@ class ControlPanel final : public Panel {
     int law = static_cast<int>(wanted.damping);
     if (ImGui::Combo("##law", &law, kLaws.data(), int(kLaws.size()))) wanted.damping = static_cast<Damping>(law);
     tip(scope, "What dampers resist: every difference in velocity,\nor only what changes a spring's length.");
+    drawDevice(scope, wanted);
+  }
+
+  static void drawDevice(const PanelScope& scope, Scene& wanted) {
+    SceneControl& scenes = scope.viewer.scenes();
+    if (!scenes.canHaveCard()) return;
+    name("device", scope.size);
+    constexpr std::array kDevices{"processor", "graphics card"};
+    int device = scenes.onCard() ? 1 : 0;
+    if (ImGui::Combo("##device", &device, kDevices.data(), int(kDevices.size()))) {
+      scenes.moveOnCard(device == 1);
+      wanted.precision = scenes.scene().precision;
+    }
+    tip(scope,
+        "What moves the cloth. The graphics card needs OpenGL 4.3, computes in float,\n"
+        "and pays for sheets of many thousands of particles.");
   }
 
   /// What does not fit is told.
