@@ -54,7 +54,7 @@ for kd in 0.1 0.2 0.3 0.5 0.7 1 2 3 5 7 10 20 30 50 70 100; do
 done >limits.csv
 chart damping <<'END'
 set xlabel 'damping of every spring, kd (N s/m)'; set ylabel 'largest stable step (ms)'
-set logscale xy; set xrange [0.1:100]; set yrange [0.01:100]; set format '%g'
+set logscale xy; set xrange [0.1:100]; set yrange [0.01:1000]; set format '%g'
 names = "symplectic-euler leapfrog rk4 rkc2 imex"; colours = "#d55e00 #cc79a7 #0072b2 #009e73 #56b4e9"
 plot for [k=1:5] 'limits.csv' using 1:(column(k + 1)) with lines lw 2.5 lc rgb word(colours, k) title word(names, k)
 END
@@ -79,7 +79,7 @@ done
 chart mistake <<'END'
 set xlabel 'time (s)'; set ylabel 'error (m)'; set logscale y; set format y '10^{%T}'; set xrange [0:2]; set yrange [1e-4:10]
 plot 'wrong-0.001.csv' skip 1 using 1:2 with lines lw 3 lc rgb orange title 'springs twice, 1 ms', \
-  'wrong-0.0005.csv' skip 1 using 1:2 with lines lw 3 dt 2 lc rgb orange title 'springs twice, 0.5 ms', \
+  'wrong-0.0005.csv' skip 1 using 1:2 with lines lw 2 dt 2 lc rgb 'black' title 'springs twice, 0.5 ms', \
   'right-0.001.csv' skip 1 using 1:2 with lines lw 3 lc rgb blue title 'right, 1 ms', \
   'right-0.0005.csv' skip 1 using 1:2 with lines lw 3 dt 2 lc rgb blue title 'right, 0.5 ms'
 END

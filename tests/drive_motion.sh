@@ -66,6 +66,9 @@ click 400 170
 few_frames 8
 said_in WARNING
 picture odd
+press Escape # closes the menu alone
+few_frames
+said_in WARNING
 
 # It moves with the time of the run, and the cloth is coloured by how far it is from it.
 press space
@@ -84,8 +87,10 @@ until_true "another scene waits" in_state waiting
 few_frames 4
 (($(points_of 255 186 96) < 20)) || fail "the verdict stays where the sheet has gone"
 picture other
-press Escape
-few_frames
+for panel in ghost control; do
+  press Escape
+  few_frames
+done
 press Escape
 wait_for_end "Escape"
 echo "motions of other programs are opened, checked and shown"

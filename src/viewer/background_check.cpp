@@ -12,7 +12,9 @@ using Stage = CheckProgress::Stage;
 CheckProgress found(const MotionCheck& check) {
   std::string words = verdictWords(check);
   if (!check.tears.empty()) words.append(" ").append(check.tears);
-  return {.stage = Stage::Done, .fraction = 1, .verdict = check.verdict, .error = check.error, .words = words};
+  using enum MotionCheck::Verdict;
+  const bool isRight = check.verdict == Right || check.verdict == OtherMethod;
+  return {.stage = Stage::Done, .fraction = 1, .good = isRight && !check.stepIsTooLong(), .words = words};
 }
 
 }  // namespace

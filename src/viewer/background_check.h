@@ -17,10 +17,8 @@ struct CheckProgress {
   enum class Stage { Idle, Running, Stopped, Done, Failed };
   Stage stage = Stage::Idle;
   double fraction = 0;  ///< done of the whole, 0..1
-  /// Of Done: what was found, and the sentences about it. Of Failed: why nothing could be.
-  MotionCheck::Verdict verdict = MotionCheck::Verdict::Unexplained;
-  double error = 0;  ///< E, m
-  std::string words{};
+  bool good = false;    ///< Done: the motion is right, and its step is not too long
+  std::string words{};  ///< Done: the sentences about it. Failed: why there are none
 };
 
 class BackgroundCheck {

@@ -14,11 +14,8 @@ using Tone = Sentence::Tone;
 
 Sentence verdictSentence(const CheckProgress& check) {
   switch (check.stage) {
-    case CheckProgress::Stage::Done: {
-      using enum MotionCheck::Verdict;
-      const bool good = check.verdict == Right || check.verdict == OtherMethod;
-      return {check.words, good ? Tone::Good : Tone::Warning};
-    }
+    case CheckProgress::Stage::Done:
+      return {check.words, check.good ? Tone::Good : Tone::Warning};
     case CheckProgress::Stage::Failed:
       return {"The check is not possible: " + check.words, Tone::Warning};
     case CheckProgress::Stage::Stopped:

@@ -11,6 +11,10 @@ TrialThreads::TrialThreads(int threads, std::function<bool(double)> observer)
     : workers_(threads), observer_(std::move(observer)) {}
 
 void TrialThreads::forEach(std::size_t count, const std::function<void(std::size_t)>& work) {
+  if (count <= 1) {  // not worth a second thread's attention
+    if (count == 1) work(0);
+    return;
+  }
   std::atomic<std::size_t> next{0};
   std::mutex mutex;
   std::exception_ptr trouble;

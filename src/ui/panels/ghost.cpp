@@ -194,7 +194,8 @@ class GhostPanel final : public Panel {
     if (scope.colouredBy != Colouring::By::Particle) {
       paragraph("The colours on the cloth are those of another panel.", scope.colours.dim);
     } else if (top_ > 0) {
-      colourBar(scope, Ramp::Growing, 0, 1e3 * top_, "mm");
+      const bool isLong = top_ >= 1;
+      colourBar(scope, Ramp::Growing, 0, isLong ? top_ : 1e3 * top_, isLong ? "m" : "mm");
     }
   }
   static void say(const PanelScope& scope, const Sentence& sentence) {

@@ -16,9 +16,11 @@ class OpenMenu {
   bool draw(const PanelScope& scope);
 
  private:
-  bool drawMenu(const PanelScope& scope);
+  enum class Done { Nothing, Closed, Opened };
+  Done drawMenu(const PanelScope& scope);
 
   std::array<char, 4096> path_{};   ///< as typed
+  bool focus_ = false;              ///< the field for it gets what is typed
   std::vector<std::string> files_;  ///< of the current folder, as they were when the menu was opened
 };
 
