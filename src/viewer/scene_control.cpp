@@ -20,6 +20,12 @@ constexpr double kShortestStep = 1e-7, kLongestStep = 1;
 /// By which a key changes the step.
 constexpr double kStepFactor = 1.05;
 
+/// A graphics card computes in float, whatever a scene says.
+Scene fitFor(const Settings& settings, Scene scene) {
+  if (settings.device) scene.precision = Precision::Float;
+  return scene;
+}
+
 }  // namespace
 
 SceneControl::SceneControl(const Scene& scene, Settings settings, RunControl& run, Notes& notes)
@@ -27,10 +33,11 @@ SceneControl::SceneControl(const Scene& scene, Settings settings, RunControl& ru
 
 SceneChange SceneControl::use(const Scene& scene) {
   if (run_.seeking()) return SceneChange::None;
-  const SceneChange change = changeBetween(scene_, scene);
+  const Scene wanted = fitFor(settings_, scene);
+  const SceneChange change = changeBetween(scene_, wanted);
   try {
-    if (change == SceneChange::Live) useLive(scene), goOnWhereMended();
-    if (change > SceneChange::Live) begin(scene, change == SceneChange::NewSheet);
+    if (change == SceneChange::Live) useLive(wanted), goOnWhereMended();
+    if (change > SceneChange::Live) begin(wanted, change == SceneChange::NewSheet);
   } catch (const std::exception& error) {
     notes_.warn(error.what());
     return SceneChange::None;
@@ -113,7 +120,7 @@ void SceneControl::followSimulation() {
 }
 
 void SceneControl::begin(Scene scene, bool newSheet) {
-  if (newSheet && onCard()) scene.precision = Precision::Float;
+  scene = fitFor(settings_, std::move(scene));
   const Method& method = findMethod(scene.integrator);
   Simulation fresh(scene, method, settings_);  // first: it may refuse the scene
   const bool running = run_.state() == RunState::Running;

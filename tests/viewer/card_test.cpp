@@ -49,6 +49,20 @@ TEST_F(ViewerWithCard, RestartsAndOtherScenesStayOnTheCard) {
   EXPECT_FALSE(viewer_.run().simulation().onDevice());
 }
 
+TEST_F(ViewerWithCard, ASceneInDoubleIsTakenInFloatAndAllElseOfIt) {
+  viewer_.scenes().moveOnCard(true);
+  tap(' ');
+  frames(10);
+  Scene edited = curtain();  // in double, as a reset to the scene's own values has it
+  edited.integrator = "leapfrog", edited.gravity = {0, -1.62, 0};
+  EXPECT_EQ(viewer_.scenes().use(edited), SceneChange::Live);
+  EXPECT_EQ(viewer_.run().simulation().scene().gravity, edited.gravity);
+  EXPECT_EQ(viewer_.scenes().method().name, "leapfrog");
+  EXPECT_EQ(viewer_.scenes().scene().precision, Precision::Float);
+  EXPECT_TRUE(viewer_.run().simulation().onDevice());
+  EXPECT_GT(ticks(), 0);
+}
+
 TEST_F(ViewerWithCard, AMethodThatTheCardDoesNotKnowIsRefusedWithTheReason) {
   viewer_.scenes().moveOnCard(true);
   Scene wanted = viewer_.scenes().scene();

@@ -204,9 +204,12 @@ class ControlPanel final : public Panel {
     name("precision", scope.size);
     constexpr std::array kPrecisions{"float, 4 bytes", "double, 8 bytes"};
     int precision = static_cast<int>(wanted.precision);
+    const bool onCard = scope.viewer.scenes().onCard();  // which computes in float
+    if (onCard) ImGui::BeginDisabled();
     if (ImGui::Combo("##precision", &precision, kPrecisions.data(), int(kPrecisions.size()))) {
       wanted.precision = static_cast<Precision>(precision);
     }
+    if (onCard) ImGui::EndDisabled();
     tip(scope, "How exact numbers are: float is faster, double rounds less.");
     name("damping", scope.size);
     constexpr std::array kLaws{"of relative velocity", "along the spring"};
