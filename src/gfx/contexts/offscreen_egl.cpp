@@ -1,4 +1,6 @@
 // Off-screen drawing by EGL without a surface: needs neither a display nor a window system.
+#ifndef _WIN32
+
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -8,6 +10,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "gfx/contexts/offscreen_framebuffer.h"
 #include "gfx/contexts/offscreen_kinds.h"
 
 namespace tyg {
@@ -32,15 +35,14 @@ class EglOffscreen final : public Offscreen {
     require(eglInitialize(display_, nullptr, nullptr) == EGL_TRUE, "initialising EGL");
     try {
       makeContext();
-      makeFramebuffer();
+      framebuffer_.make(width, height);
     } catch (...) {
       release();
       throw;
     }
   }
   ~EglOffscreen() override {
-    glDeleteFramebuffers(1, &framebuffer_);
-    glDeleteRenderbuffers(2, renderbuffers_.data());
+    framebuffer_.drop();
     release();
   }
   EglOffscreen(const EglOffscreen&) = delete;
@@ -60,23 +62,6 @@ class EglOffscreen final : public Offscreen {
     loadOpenGl(eglGetProcAddress);
   }
 
-  void makeFramebuffer() {
-    glGenFramebuffers(1, &framebuffer_);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glGenRenderbuffers(2, renderbuffers_.data());
-    attach(renderbuffers_[0], GL_RGBA8, GL_COLOR_ATTACHMENT0);
-    attach(renderbuffers_[1], GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT);
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-      throw std::runtime_error("it cannot draw into a picture of this size");
-    }
-  }
-
-  void attach(GLuint renderbuffer, GLenum format, GLenum attachment) const {
-    glBindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
-    glRenderbufferStorage(GL_RENDERBUFFER, format, width(), height());
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, renderbuffer);
-  }
-
   void release() {
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (context_ != EGL_NO_CONTEXT) {
@@ -87,8 +72,7 @@ class EglOffscreen final : public Offscreen {
 
   EGLDisplay display_;
   EGLContext context_ = EGL_NO_CONTEXT;
-  GLuint framebuffer_ = 0;
-  std::array<GLuint, 2> renderbuffers_{};
+  OffscreenFramebuffer framebuffer_;
 };
 
 }  // namespace
@@ -98,3 +82,5 @@ std::unique_ptr<Offscreen> makeEglOffscreen(int width, int height) {
 }
 
 }  // namespace tyg
+
+#endif
