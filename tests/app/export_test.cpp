@@ -165,8 +165,8 @@ at = [0, 0.5, 0]
 radius = 0.2
 [[body]]
 shape = "capsule"
-at = [1, 0, 0]
-axis = [0, 0, 2]
+from = [1, 0, 0]
+to = [1, 0, 2]
 radius = 0.25
 [[body]]
 shape = "box"
@@ -177,7 +177,7 @@ rounding = 0.15
 shape = "plane"
 at = [0, -5, 0]
 [[move]]
-body = "the \"ball"
+what = "the \"ball"
 velocity = [1, 0, 0]
 at = 0.25
 for = 1

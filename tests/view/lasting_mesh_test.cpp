@@ -76,7 +76,7 @@ TEST(LastingMesh, ItsFirstPointsAreTheParticlesWhateverIsCut) {
 TEST(LastingMesh, HalvesThatFlyApartAreJoinedByNothingAndBeforeByAllTheirPoints) {
   const Sheet whole = sheetOf(8, 6);
   Sheet cut = whole;
-  cut.missing = cut.missing.withCut(8, 6, {3.2, -1, 4.6, 6});
+  cut.missing = cut.missing.withCut(8, 6, {3.3, -1, 4.7, 6});
   LastingMesh mesh(cut);
   std::vector<float> xyz = startOf(cut);
   mesh.follow(whole, xyz);
@@ -87,7 +87,7 @@ TEST(LastingMesh, HalvesThatFlyApartAreJoinedByNothingAndBeforeByAllTheirPoints)
   }
   for (int i = 0; i < 48; ++i) {
     const double column = i % 8, row = i / 8;
-    if (column > 3.2 + 1.4 * (row + 1) / 7) xyz[std::size_t(3 * i)] += 5;
+    if (column > 3.3 + 1.4 * (row + 1) / 7) xyz[std::size_t(3 * i)] += 5;
   }
   mesh.follow(cut, xyz);
   for (const auto& quad : mesh.quads()) {
