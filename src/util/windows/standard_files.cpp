@@ -2,10 +2,11 @@
 // letters of the command line that this language lacks.
 #include "util/standard_files.h"
 
+#include <windows.h>
+// windows.h first: the header of the shell needs it.
 #include <fcntl.h>
 #include <io.h>
 #include <shellapi.h>
-#include <windows.h>
 
 #include "util/windows/wide.h"
 
