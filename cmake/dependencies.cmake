@@ -33,6 +33,15 @@ add_library(tyg_glad STATIC ${glad_dir}/src/gl.c)
 target_include_directories(tyg_glad SYSTEM PUBLIC ${glad_dir}/include)
 target_link_libraries(tyg_glad PUBLIC ${CMAKE_DL_LIBS})
 
+# The functions of OpenGL 4.3 for what computes on the graphics card: one object per context, beside those of windows.
+set(glad_compute_dir ${PROJECT_BINARY_DIR}/glad_compute)
+add_custom_command(
+  OUTPUT ${glad_compute_dir}/src/gl.c ${glad_compute_dir}/include/glad/gl.h
+  COMMAND ${GLAD_COMMAND} --quiet --reproducible --api gl:core=4.3 --extensions= --out-path ${glad_compute_dir} c --mx
+  COMMENT "Generating the OpenGL 4.3 core loader")
+add_library(tyg_glad_compute STATIC ${glad_compute_dir}/src/gl.c)
+target_include_directories(tyg_glad_compute SYSTEM PUBLIC ${glad_compute_dir}/include)
+
 # Off-screen contexts.
 add_library(tyg_offscreen INTERFACE)
 if(WIN32)

@@ -61,7 +61,7 @@ picture gallery-end
 press o
 
 press c
-sleep 40 # points come in
+sleep 120 # points come in
 both chart
 xdotool mousemove $((width - 400)) $((height / 4))
 picture chart-hover

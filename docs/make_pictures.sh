@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Makes anew the pictures of the front page, of the first steps, of six scenes and of three studies, in docs/pictures:
+# Makes anew the pictures of the front page, of the first steps, of six scenes, of three studies and of exploding cloth,
+# in docs/pictures:
 #   ./docs/make_pictures.sh [path of tyg]
 #   TYG_WINDOW_ONLY=1 ./docs/make_pictures.sh [path of tyg]      without scenes and studies
 # The window is the real one, on a virtual screen, with real keys and clicks; it needs what tests/driving.sh needs, and
@@ -34,6 +35,7 @@ if [[ -z ${TYG_DRIVEN:-}${TYG_WINDOW_ONLY:-} ]]; then
   study four-particles.png plot.png plot four-particles
   study stability-curtain.png stability.png stability curtain
   study diet-curtain.png overlay.png diet curtain --within 5%
+  "$here/make_exploding_pictures.sh" "$tyg"
 fi
 
 backend=glfw limit=300

@@ -16,9 +16,10 @@ ROOMS = {
     "study": "util core integrators",
     "view": "util core",
     "gfx": "util core view",
+    "gpu": "util core",
     "viewer": "util core integrators study view",
     "ui": "util core integrators study view gfx viewer",
-    "app": "util core integrators study view gfx viewer ui",
+    "app": "util core integrators study view gfx gpu viewer ui",
 }
 
 # Room: its folders (what lies deeper belongs to them) and the folders of the same room that each may include, again from the lowest up; "." is the room's
@@ -57,7 +58,7 @@ PUBLIC_HEADERS = {
 
 # What, the headers <...> that tell of it, and the rooms or folders that may include them.
 HEADERS = [
-    ("OpenGL", r"glad/|GL/|GLES|EGL/", "gfx ui"),
+    ("OpenGL", r"glad/|GL/|GLES|EGL/", "gfx gpu ui"),
     ("a window or ImGui", r"GLFW/|GL/(free)?glut|X11/|imgui|backends/imgui", "ui"),
     ("a clock", r"(chrono|ctime|time\.h|sys/time\.h)$", "util ui app"),
     ("the terminal", r"(iostream|syncstream|print)$", "ui app"),

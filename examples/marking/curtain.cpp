@@ -1,5 +1,6 @@
 // The scene curtain as a small program of one's own: symplectic Euler, the positions as CSV on standard output.
 //   c++ -O2 curtain.cpp -o curtain && ./curtain >mine.csv && tyg check curtain mine.csv --within 1%
+// ./curtain STEP SIDE ROWS takes other steps (s), the same cloth on SIDE x SIDE particles, and writes ROWS times (20).
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -19,8 +20,9 @@ struct Spring {
 };
 
 int main(int argc, char** argv) {
-  const int side = 20, samples = 20;
-  const double spacing = 0.1, mass = 0.018, duration = 2, h = argc > 1 ? std::atof(argv[1]) : 1e-3;  // m, kg, s, s
+  const int side = argc > 2 ? std::atoi(argv[2]) : 20, samples = argc > 3 ? std::atoi(argv[3]) : 20;
+  const double duration = 2, h = argc > 1 ? std::atof(argv[1]) : 1e-3;              // s
+  const double spacing = 1.9 / (side - 1), mass = 0.018 * 20 * 20 / (side * side);  // m, kg: 1.9 m and 7.2 kg in all
   const Vector gravity{0, -9.81, 0};
 
   std::vector<Vector> position, velocity(side * side), force(side * side);
@@ -56,6 +58,9 @@ int main(int argc, char** argv) {
       position[i] = position[i] + h * velocity[i];
     }
     if (step % (steps / samples) != 0) continue;
+    for (const Vector& at : position) {
+      if (!std::isfinite(at.x + at.y + at.z)) return 1;  // it has exploded: what it has written by now is a motion
+    }
     for (int i = 0; i < side * side; ++i) {
       std::printf("%.9g,%d,%.17g,%.17g,%.17g\n", step * h, i, position[i].x, position[i].y, position[i].z);
     }

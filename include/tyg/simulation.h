@@ -44,12 +44,23 @@ struct Ledger {
   [[nodiscard]] double mechanical() const { return kinetic + stored.sum(); }
 };
 
+/// What a run looks like at a moment.
+struct Glance {
+  Ledger ledger;
+  Status status = Status::Ok;
+};
+
+class Device;
+
 /// What a caller may ask of a simulation besides its scene.
 struct Settings {
   int threads = 0;         ///< 0: one for sheets too small to gain from more, else one for each core
   bool ledger = false;     ///< follow the dissipated energy: a step then takes 1.6 times (double) to 2.6 times (float)
                            ///< as long
   bool keepGoing = false;  ///< run on after the energy alarm
+  /// What moves the cloth in place of the processor, in float, such as the graphics card that the program itself can
+  /// take; null: the processor does.
+  std::shared_ptr<Device> device{};
 };
 
 /// A checkpoint: a complete copy of a moving simulation. Restoring it and going on gives the same bits as never having
@@ -134,6 +145,7 @@ class Simulation {
   [[nodiscard]] std::int64_t steps() const;
   [[nodiscard]] std::int64_t forceEvaluations() const;
   [[nodiscard]] int threads() const;
+  [[nodiscard]] bool onDevice() const;              ///< whether a device moves the cloth in place of the processor
   [[nodiscard]] const Scene& scene() const;         ///< with the springs and the world that are in use
   [[nodiscard]] const Scene& startScene() const;    ///< as it began
   [[nodiscard]] const Sheet& sheet() const;         ///< as it is now, with its pins and what was cut
@@ -150,6 +162,9 @@ class Simulation {
 
   /// The energies now. This is an energy check as well: it never makes a later alarm less likely.
   Ledger ledger();
+  /// What ledger() and then status() would say now, without an energy check: when the alarm goes does not depend on how
+  /// often somebody looks.
+  [[nodiscard]] Glance glance() const;
   /// Largest stable step (s) of the present method at the present state, damping included: infinite where nothing sets
   /// a limit, NaN where the method has none (rkc2, whose stages follow the sheet's waves, included) or the state is not
   /// finite. Costs at most four force evaluations, which are not counted, and leaves the motion alone. It follows one

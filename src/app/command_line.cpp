@@ -104,6 +104,7 @@ int parseAndRun(CLI::App& app, std::vector<std::string> words, Wanted wanted) {
   addDietCommand(app, action);
   addAdviseCommand(app, action);
   addCheckCommand(app, action);
+  addReferenceCommand(app, action);
   addListCommand(app, action);
   app.require_subcommand(1);
   try {

@@ -18,16 +18,50 @@ namespace {
 
 using Complex = std::complex<double>;
 
-Complex growthOf(const ChebyshevTable& table, const Complex& z) {
-  const std::size_t s = table.b.size() - 1;
-  const Complex x = table.w0 + table.w1 * z;
-  Complex before = 1, now = x;  // T_0, T_1 by the three-term recurrence
-  for (std::size_t j = 2; j <= s; ++j) {
-    const Complex next = 2.0 * x * now - before;
-    before = now;
-    now = next;
+constexpr std::array kDamped{2.0 / 13, 1.0, 4.0, 16.0, 64.0};  // eps
+
+/// What of a method its growth depends on.
+struct Polynomial {
+  int s;
+  double w0, w1, b, value;
+
+  explicit Polynomial(const ChebyshevStages& stages) : s(stages.count) {
+    const ChebyshevTable table(stages);
+    w0 = table.w0, w1 = table.w1, b = table.b.back(), value = table.value.back();
   }
-  return 1.0 + table.b[s] * (now - table.value[s]);
+  [[nodiscard]] Complex at(const Complex& z) const {
+    const Complex x = w0 + w1 * z;
+    Complex before = 1, now = x;  // T_0, T_1 by the three-term recurrence
+    for (int j = 2; j <= s; ++j) {
+      const Complex next = 2.0 * x * now - before;
+      before = now;
+      now = next;
+    }
+    return 1.0 + b * (now - value);
+  }
+};
+
+/// Of all methods, by their stages and then by kDamped.
+const std::vector<Polynomial>& polynomials() {
+  static const std::vector<Polynomial> all = [] {
+    std::vector<Polynomial> made;
+    for (int s = 2; s <= kMostChebyshevStages; ++s) {
+      for (const double eps : kDamped) made.emplace_back(ChebyshevStages{s, eps});
+    }
+    return made;
+  }();
+  return all;
+}
+
+/// Whether a method holds all of these at a step of h. The root that grows comes to the front: the next method most
+/// likely fails there too.
+bool holdsAll(const Polynomial& polynomial, double h, std::vector<Complex>& roots) {
+  constexpr double kRounding = 1e-10;
+  const auto growing =
+      std::ranges::find_if(roots, [&](const Complex& mu) { return std::abs(polynomial.at(h * mu)) > 1 + kRounding; });
+  if (growing == roots.end()) return true;
+  std::swap(roots.front(), *growing);
+  return false;
 }
 
 /// Of all modes, but for the lower ones of pairs: conjugate roots grow alike.
@@ -102,7 +136,7 @@ ChebyshevTable::ChebyshevTable(const ChebyshevStages& stages)
   w1 = d1 / e1;
 }
 
-Complex chebyshevGrowth(const ChebyshevStages& stages, Complex z) { return growthOf(ChebyshevTable(stages), z); }
+Complex chebyshevGrowth(const ChebyshevStages& stages, Complex z) { return Polynomial(stages).at(z); }
 
 std::vector<Mode> chebyshevModes(const Scene& scene, bool inPieces) {
   constexpr int kIntervals = 24;  // of the grid of phases, an axis
@@ -120,18 +154,27 @@ std::vector<Mode> chebyshevModes(const Scene& scene, bool inPieces) {
 }
 
 ChebyshevStages chebyshevStages(std::span<const Mode> modes, double h) {
-  constexpr double kRounding = 1e-10;
   std::vector<Complex> roots = upperRootsOf(modes);
-  for (int s = 2; s <= kMostChebyshevStages; ++s) {
-    for (const double eps : {2.0 / 13, 1.0, 4.0, 16.0, 64.0}) {
-      const ChebyshevTable table({s, eps});
-      const auto growing = std::ranges::find_if(
-          roots, [&](const Complex& mu) { return std::abs(growthOf(table, h * mu)) > 1 + kRounding; });
-      if (growing == roots.end()) return {s, eps};
-      std::swap(roots.front(), *growing);  // the next method most likely fails here too
-    }
+  const std::vector<Polynomial>& all = polynomials();
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (holdsAll(all[k], h, roots)) return {all[k].s, kDamped.at(k % kDamped.size())};
   }
   return {};
+}
+
+ChebyshevReach::ChebyshevReach(std::span<const Mode> modes) : roots_(upperRootsOf(modes)) {
+  for (const Complex& root : roots_) fastest_ = std::max(fastest_, std::abs(root));
+}
+
+/// From the stages on that reach far enough along the real axis, about 0.65 s^2; more are more likely to do than fewer.
+bool ChebyshevReach::holds(double h) {
+  constexpr double kReach = 0.65;
+  const std::vector<Polynomial>& all = polynomials();
+  const double enough = std::ceil(std::sqrt(std::min(1e6, h * fastest_) / kReach));
+  const auto first = kDamped.size() * std::size_t(std::clamp(int(enough), 2, kMostChebyshevStages) - 2);
+  const auto does = [&](const Polynomial& polynomial) { return holdsAll(polynomial, h, roots_); };
+  return std::any_of(all.begin() + std::ptrdiff_t(first), all.end(), does) ||
+         std::any_of(all.begin(), all.begin() + std::ptrdiff_t(first), does);
 }
 
 }  // namespace tyg

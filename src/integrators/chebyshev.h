@@ -31,4 +31,16 @@ std::vector<Mode> chebyshevModes(const Scene& scene, bool inPieces);
 /// The fewest stages, and of those the least damped, with |P_s(h mu)| <= 1 for both roots mu of every mode.
 ChebyshevStages chebyshevStages(std::span<const Mode> modes, double h);
 
+/// The same question without the answer: whether any stages hold. Quick where it is asked for many steps.
+class ChebyshevReach {
+ public:
+  explicit ChebyshevReach(std::span<const Mode> modes);
+  /// Whether chebyshevStages() of these modes would find some for h (s).
+  bool holds(double h);
+
+ private:
+  std::vector<std::complex<double>> roots_;  // the one that failed last is the first
+  double fastest_ = 0;                       // 1/s
+};
+
 }  // namespace tyg

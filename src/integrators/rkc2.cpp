@@ -135,7 +135,8 @@ class Rkc2 final : public Integrator<T> {
 /// any step: on the imaginary axis |P_s| > 1.
 double stableStepOfScene(const Scene& scene) {
   const std::vector<Mode> modes = chebyshevModes(scene, losesSprings(scene));
-  const auto holds = [&](double h) { return chebyshevStages(modes, h).count != 0; };
+  ChebyshevReach reach(modes);
+  const auto holds = [&](double h) { return reach.holds(h); };
   double fastest = 0;
   for (const Mode& mode : modes) fastest = std::max({fastest, std::sqrt(mode.w2), mode.d});
   if (fastest == 0) return std::numeric_limits<double>::infinity();

@@ -18,7 +18,7 @@ namespace {
 // In sizes of the text.
 constexpr float kLine = 1.35F, kPad = 0.7F, kBetween = 1.6F;
 constexpr std::size_t kMostColumns = 4;
-constexpr std::string_view kTitle = "All keys, and buttons: a click does what the key does. F1 or Esc closes this.";
+constexpr std::string_view kTitle = "All keys. A click on a line does what its key does. F1 or Esc closes the list.";
 
 struct Columns {
   std::vector<std::vector<const HelpLine*>> lines;
@@ -57,6 +57,7 @@ void AllKeys::draw(TextWriter writer, std::span<const HelpLine> lines,
   list_.clear();
   const ImVec2 extent{std::floor(size * best.width), std::floor(size * best.height)};
   const ImVec2 at{std::floor((screen.x - extent.x) / 2), std::floor((screen.y - extent.y) / 2)};
+  applyStyle(writer.background, size);
   ImGui::SetNextWindowPos(at);
   ImGui::SetNextWindowSize(extent);
   ImGui::SetNextWindowBgAlpha(1);

@@ -13,6 +13,9 @@
 namespace tyg {
 namespace {
 
+/// Pixels of height from which on lines may be wider than at scale 1: in a low window text is small too.
+constexpr float kHeightAtScale1 = 360;
+
 /// A ghost beside the cloth has the bodies beside them. A plane that is shifted along itself is there already.
 void addShifted(std::vector<Body>& bodies, const glm::vec3& shift) {
   if (shift == glm::vec3(0)) return;
@@ -56,7 +59,7 @@ void ClothPainter::draw(const Viewer& viewer, Panels& panels, Extent window) {
   if (sheet_ != viewer.scenes().sheetsSoFar()) *this = ClothPainter(viewer, scale_);
   ClothPicture picture{.options = viewer.view().drawOptions()};
   picture.options.wind = shownWind(viewer);
-  picture.options.scale = scale_;
+  picture.options.scale = std::min(scale_, std::max(1.0F, float(window.height) / kHeightAtScale1));
   followLook(viewer.scenes().scene(), picture.options);
   panels.paint(picture);
   if (viewer.run().showsBreaking() && picture.options.colouring.by == Colouring::By::Family) {

@@ -14,6 +14,7 @@ namespace {
 
 // In sizes of the text.
 constexpr float kPattern = 5, kPlot = 9, kPad = 0.6F, kLine = 1.3F;
+constexpr float kLeastCloth = 8;  // what the cloth keeps, across, to the left of the picture
 
 ImU32 mixed(float share, Background background) {
   const RampColours& ramp = coloursOf(Ramp::Balanced, background);
@@ -67,30 +68,31 @@ void drawEnergy(const TextWriter& writer, ImVec2 from, ImVec2 to, std::span<cons
 
 }  // namespace
 
-void drawFailurePicture(TextWriter writer, ImVec2 corner, float room, const Viewer& viewer) {
+float drawFailurePicture(TextWriter writer, ImVec2 upper, ImVec2 lower, const Viewer& viewer) {
   constexpr float kLines = 36,
                   kSmallest = 0.6F;  // in a window of fewer lines it is smaller, to leave the cloth in view
   writer.size *= std::clamp(ImGui::GetIO().DisplaySize.y / (kLines * writer.size), kSmallest, 1.0F);
   const std::optional<FailingMotion>& motion = viewer.run().failure().motion();
-  if (!motion) return;
   const auto moments = viewer.run().breaking();
   const bool breaks = moments.size() > 1 && viewer.run().showsBreaking();
+  if (!motion && !breaks) return 0;
   const float size = writer.size, pad = kPad * size;
-  const std::string name = "fails first: " + motion->name;
+  const std::string name = motion ? "fails first: " + motion->name : "";
   const float height = 2 * pad + (kLine + kPattern) * size;
-  if (height > room) return;
-  const float plot = breaks ? kPlot * size + pad : 0;
-  const float width = std::max(writer.extent(name).x, kPattern * size + plot) + 2 * pad;
-  const ImVec2 from{corner.x - width, corner.y};
-  if (from.x < size) return;
-  writer.shade(from, {corner.x, corner.y + height});
+  const float pattern = motion ? kPattern * size + pad : 0, plot = breaks ? kPlot * size + pad : 0;
+  const float width = std::max(writer.extent(name).x + pad, pattern + plot) + pad;
+  const ImVec2 from{lower.x - width, upper.y};
+  if (from.x - kLeastCloth * size < upper.x || from.y + height > lower.y) return 0;
+  writer.shade(from, {lower.x, from.y + height});
   writer.write({from.x + pad, from.y + pad}, coloursOn(writer.background).text, name);
   const ImVec2 at{from.x + pad, from.y + pad + kLine * size};
-  drawPattern(writer, at, *motion);
-  if (!breaks) return;
-  const float left = at.x + kPattern * size + pad;
-  writer.write({left, at.y}, coloursOn(writer.background).dim, "kinetic energy");
-  drawEnergy(writer, {left, at.y + kLine * size}, {left + kPlot * size, at.y + kPattern * size}, moments);
+  if (motion) drawPattern(writer, at, *motion);
+  if (!breaks) return width;
+  const float left = at.x + pattern;
+  writer.write({left, motion ? at.y : at.y - kLine * size}, coloursOn(writer.background).dim, "kinetic energy");
+  drawEnergy(writer, {left, motion ? at.y + kLine * size : at.y}, {left + kPlot * size, at.y + kPattern * size},
+             moments);
+  return width;
 }
 
 }  // namespace tyg

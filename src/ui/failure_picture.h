@@ -6,8 +6,8 @@
 
 namespace tyg {
 
-/// At the right edge, with its upper right corner there, and no higher than `room`; nothing where there is nothing to
-/// tell, or no room for it.
-void drawFailurePicture(TextWriter writer, ImVec2 corner, float room, const Viewer& viewer);
+/// In the upper right corner of what is free, which goes from `upper` to `lower`; nothing where there is nothing to
+/// tell, or no room for it beside the cloth. Returns the width of what was drawn, 0 for nothing.
+float drawFailurePicture(TextWriter writer, ImVec2 upper, ImVec2 lower, const Viewer& viewer);
 
 }  // namespace tyg

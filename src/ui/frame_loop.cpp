@@ -6,11 +6,13 @@
 #include <array>
 #include <exception>
 #include <filesystem>
+#include <utility>
 
 #include <fmt/core.h>
 #include <imgui.h>
 
 #include "core/scene/look_keys.h"
+#include "gfx/picture.h"
 #include "util/calibration_clock.h"
 #include "util/interrupt.h"
 
@@ -41,6 +43,7 @@ FrameLoop::FrameLoop(OpeningWindow& opening, Viewer& viewer, WindowMemory& memor
       hints_(log ? std::nullopt : hintsFile()),
       log_(log ? std::make_unique<ViewLog>(*log) : nullptr),
       title_(windowTitle(viewer.scenes().scene())),
+      image_(viewer.scenes().scene().look.image),
       opened_(wallClock()),
       stale_(kFramesToSettle) {
   recall();
@@ -124,9 +127,7 @@ Insets FrameLoop::insets() const {
   const auto left = static_cast<int>(panels_.width(Edge::Left)), right = static_cast<int>(panels_.width(Edge::Right));
   const bool wide = left == 0 && 2 * (keys + keys) <= window.width;
   return {.left = left > 0 ? left : keys,
-          .right = right > 0 ? right
-                   : wide    ? keys
-                             : 0,
+          .right = std::max(right + hud_.beside(), wide && right == 0 ? keys : 0),
           .top = hud_.above(),
           .bottom = hud_.below(viewer_),
           .beside = panels_.beside()};
@@ -143,6 +144,7 @@ void FrameLoop::show() {
 /// Trouble while the cloth is drawn is shown by the text that is drawn over it.
 void FrameLoop::draw() {
   followTitle();
+  followImage();
   try {
     painter_.draw(viewer_, panels_, shown_);
   } catch (const std::exception& error) {
@@ -162,6 +164,17 @@ void FrameLoop::followTitle() {
   if (title == title_) return;
   window_.setTitle(title);
   title_ = std::move(title);
+}
+
+/// A picture that cannot be read is told; the cloth is drawn without it.
+void FrameLoop::followImage() {
+  const std::string& image = viewer_.scenes().scene().look.image;
+  if (image == std::exchange(image_, image) || image.empty()) return;
+  try {
+    (void)readPicture(image);
+  } catch (const InputError& error) {
+    viewer_.notes().warn(std::string(error.what()) + "; the cloth is drawn without it");
+  }
 }
 
 void FrameLoop::updateHints() {

@@ -36,6 +36,7 @@ class FrameLoop {
   void show();
   void draw();
   void followTitle();
+  void followImage();
   void updateHints();
   void writeLog();
   std::string endMovie();
@@ -56,7 +57,7 @@ class FrameLoop {
   InputRouter router_;
   Hints hints_;
   std::unique_ptr<ViewLog> log_;
-  std::string title_;
+  std::string title_, image_;
   double opened_;     ///< s, of the wall clock
   double spare_ = 0;  ///< s that the last frame was too short
   std::int64_t frame_ = 0;

@@ -129,12 +129,19 @@ void Hud::draw(const Viewer& viewer, Panels& panels) {
   if (panels.width(Edge::Left) == 0) drawKeys(viewer, free);
   drawWind(viewer, colours);
   drawArrow(viewer, colours);
-  if (viewer.run().state() == RunState::Frozen || viewer.run().showsBreaking()) {
-    const float top = kTop * size_, right = screenSize().x - panels.width(Edge::Right) - size_;
-    drawFailurePicture(writer, {right, top}, free - top - size_, viewer);
-  }
+  drawPicture(viewer, panels, free);
   if (!viewer.view().showsAllKeys()) return allKeys_.hide();
   allKeys_.draw(writer, help_, [&](const HelpLine& line) { return isOn(line, viewer); });
+}
+
+/// `free`: the height above which there is room.
+void Hud::drawPicture(const Viewer& viewer, const Panels& panels, float free) {
+  pictureWidth_ = 0;
+  if (viewer.run().state() != RunState::Frozen && !viewer.run().showsBreaking()) return;
+  const float right = screenSize().x - panels.width(Edge::Right) - size_, left = panels.width(Edge::Left) + size_;
+  const ImVec2 from{left, kTop * size_}, to{right, free - size_};
+  const float width = drawFailurePicture(writerFor(viewer), from, to, viewer);
+  if (width > 0) pictureWidth_ = width + 2 * size_;
 }
 
 /// In the upper line, right of the title, which ends at `from`; and the line that is drawn to cut along.

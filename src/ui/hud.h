@@ -15,8 +15,6 @@
 #include "ui/tool_bar.h"
 #include "viewer/viewer.h"
 
-struct ImVec2;
-
 namespace tyg {
 
 class Hud {
@@ -28,6 +26,8 @@ class Hud {
     return buttons_.handle(event, viewer) || tools_.handle(event, viewer) ||
            pressKey(event, keys_.at(positionOf(event)));
   }
+  /// The same for what is said of a failure where it lies over panels: they do not feel presses on it.
+  bool pressFailure(const WindowEvent& event, Viewer& viewer);
   /// The same for the long list of keys, while it is shown: any press outside it, and Esc, closes it. What a press on a
   /// key comes to is in takeKeys().
   bool pressAllKeys(const WindowEvent& event, Viewer& viewer);
@@ -40,6 +40,8 @@ class Hud {
   /// Pixels that bars and what is said take at the upper and the lower edge.
   [[nodiscard]] int above() const { return static_cast<int>(kTop * size_); }
   [[nodiscard]] int below(const Viewer& viewer) const;
+  /// Pixels that the picture of what fails first takes, to the left of panels at the right edge.
+  [[nodiscard]] int beside() const { return static_cast<int>(pictureWidth_); }
   /// Between ImGui::NewFrame and ImGui::Render. Keys are left out at an edge that has panels, and the panels are told
   /// how far down they may reach.
   void draw(const Viewer& viewer, Panels& panels);
@@ -68,7 +70,9 @@ class Hud {
   float drawTimeLine(const Viewer& viewer, float bottom);
   [[nodiscard]] std::string promptText(const Viewer& viewer) const;
   void drawPrompt(const Viewer& viewer, Middle& middle) const;
-  void drawFailure(const Viewer& viewer, Middle& middle);
+  void drawFailure(TextWriter writer, const Viewer& viewer, Middle& middle);
+  void drawFailureOver(const Viewer& viewer, Middle& middle);
+  void drawPicture(const Viewer& viewer, const Panels& panels, float free);
   void drawTools(const Viewer& viewer, float from);
   void drawWind(const Viewer& viewer, const Colours& colours) const;
   void drawArrow(const Viewer& viewer, const Colours& colours) const;
@@ -80,8 +84,11 @@ class Hud {
   KeyList keys_;
   AllKeys allKeys_;
   std::vector<WindowEvent> keyEvents_;
-  KeyCode keyDown_ = 0;  ///< by the mouse
-  float failure_ = 0;    ///< height of all that is at the foot with the last failure, ImGui's units; 0 before
+  KeyCode keyDown_ = 0;      ///< by the mouse
+  float failure_ = 0;        ///< height of all that is at the foot with the last failure, ImGui's units; 0 before
+  float pictureWidth_ = 0;   ///< of what fails first, ImGui's units; 0: not shown
+  bool overPanels_ = false;  ///< what is said of the failure is ...
+  ImVec2 failureFrom_, failureTo_;  ///< ... and its corners
   TimeLine timeLine_;
   Buttons buttons_;
   ToolBar tools_;

@@ -1,6 +1,7 @@
 // The foot of the window: status, margin of the step, the time line, and what the person may do next.
 #include <fmt/core.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,12 @@ constexpr float kSmallest = 0.65F;     // but not smaller than this share of the
 /// `1/8 speed`; nothing at full speed.
 std::string speedText(double speed) { return speed < 1 ? fmt::format("  \u00b7  1/{:.0f} speed", 1 / speed) : ""; }
 
+/// Of a way back in time.
+std::string backText(double seconds) {
+  constexpr double kShort = 0.1;
+  return seconds < kShort ? fmt::format("{:.3g} ms", 1e3 * seconds) : fmt::format("{:.2f} s", seconds);
+}
+
 /// Which of the two is slow, where frames come late.
 std::string_view slowText(Pace::Slow slow) {
   if (slow == Pace::Slow::Drawing) return "  \u00b7  drawing is slow";
@@ -31,10 +38,8 @@ Extent framebuffer() {
           .height = static_cast<int>(io.DisplaySize.y * io.DisplayFramebufferScale.y)};
 }
 
-/// It was let run on, and a moment after the alarm is shown.
-bool isBreaking(const RunControl& run) {
-  return run.failure().runsOn() && run.shown().time() >= run.failure().alarmTime();
-}
+/// It was let run on, and a moment after the last good one is shown.
+bool isBreaking(const RunControl& run) { return run.failure().runsOn() && run.failure().isPast(run.shown().tick()); }
 
 std::string waysOutInWords(const RunControl& run) {
   const auto& cure = run.failure().cure();
@@ -117,12 +122,11 @@ float Hud::drawFoot(const Viewer& viewer, Panels& panels) {
       middleBetween(panels, viewer.view().showsHelp() && !frozen ? float(keysWidth(framebuffer())) : 0, bottom);
   const TextWriter writer = writerIn(viewer, middle);
   if (!filming_.empty()) sayInMiddle(writer, coloursOn(writer.background).text, filming_, middle);
-  if (frozen) {
-    drawFailure(viewer, middle);
-    if (!middle.free) panels.endAbove(middle.top - kAbove * size_);
-  } else {
-    buttons_.hide();
-  }
+  overPanels_ = frozen && !middle.free && !viewer.view().showsAllKeys();
+  if (!frozen) buttons_.hide();
+  if (overPanels_) drawFailureOver(viewer, middle);
+  if (frozen && !overPanels_) drawFailure(writer, viewer, middle);
+  if (frozen && !middle.free) panels.endAbove(middle.top - kAbove * size_);
   if (!frozen || !viewer.notes().text().empty()) drawPrompt(viewer, middle);
   return frozen ? middle.top : middle.sides;
 }
@@ -141,7 +145,7 @@ float Hud::drawStatus(const Viewer& viewer) const {
     text += "- frames/s  \u00b7  - % simulating";
   }
   if (viewer.behind()) text += fmt::format("  \u00b7  {:.2g} of real time", pace.realTime);
-  if (viewer.run().state() == RunState::Running) text += slowText(pace.slow);
+  if (viewer.run().state() == RunState::Running && !viewer.run().asleep()) text += slowText(pace.slow);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   TextWriter writer = writerFor(viewer);
   const float room = screen.x - 2 * size_, width = writer.extent(text).x;
@@ -166,8 +170,30 @@ float Hud::drawTimeLine(const Viewer& viewer, float bottom) {
   return bottom - kTimeLine * size_;
 }
 
-void Hud::drawFailure(const Viewer& viewer, Middle& middle) {
-  TextWriter writer = writerIn(viewer, middle);
+/// In a window of ImGui's, so that no panel below it feels the mouse.
+void Hud::drawFailureOver(const Viewer& viewer, Middle& middle) {
+  ImGui::SetNextWindowPos(failureFrom_);
+  ImGui::SetNextWindowSize({failureTo_.x - failureFrom_.x, failureTo_.y - failureFrom_.y});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  constexpr int kPlain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBackground;
+  ImGui::Begin("##failure", nullptr, kPlain);
+  ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+  TextWriter writer = writerFor(viewer);
+  writer.list = ImGui::GetWindowDrawList();
+  writer.list->PushClipRectFullScreen();
+  drawFailure(writer, viewer, middle);
+  writer.list->PopClipRect();
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+bool Hud::pressFailure(const WindowEvent& event, Viewer& viewer) {
+  if (!overPanels_ || event.kind != WindowEvent::Kind::Press || !isMouse(event.key)) return false;
+  return buttons_.handle(event, viewer) || inside(positionOf(event), failureFrom_, failureTo_);
+}
+
+void Hud::drawFailure(TextWriter writer, const Viewer& viewer, Middle& middle) {
   const float bottom = middle.top - kAbove * size_;
   const std::vector<Buttons::Button> buttons = waysOut(viewer);
   const float room = middle.to - middle.from - 4 * size_;
@@ -181,7 +207,8 @@ void Hud::drawFailure(const Viewer& viewer, Middle& middle) {
   }
   const float width = std::max(extent.x, std::min(room, Buttons::width(writer, buttons)));
   const ImVec2 at{0.5F * (middle.from + middle.to - width), bottom - row - 0.5F * size_ - extent.y};
-  ground(writer, {at.x - 0.5F * size_, at.y - 0.4F * size_}, {at.x + width + 0.5F * size_, bottom}, middle);
+  failureFrom_ = {at.x - 0.5F * size_, at.y - 0.4F * size_}, failureTo_ = {at.x + width + 0.5F * size_, bottom};
+  ground(writer, failureFrom_, failureTo_, middle);
   writer.write(at, coloursOn(writer.background).warning, viewer.run().failure().message(), room);
   buttons_.draw(writer, {at.x, at.y + extent.y + 0.5F * size_}, buttons, room);
   middle.top = at.y - 0.4F * size_;
@@ -193,9 +220,9 @@ std::string Hud::promptText(const Viewer& viewer) const {
   const RunControl& run = viewer.run();
   const Timeline time = run.timeline();
   if (!viewer.notes().text().empty()) return viewer.notes().text();
-  if (run.state() == RunState::Waiting) return "space, a click or a drag starts it";
+  if (run.state() == RunState::Waiting) return "space, or a click or a drag on the cloth, starts it";
   if (run.state() == RunState::Paused && time.past) {
-    return fmt::format("{:.2f} s back  \u00b7  space goes on from here", time.newest - time.shown);
+    return backText(time.newest - time.shown) + " back  \u00b7  space goes on from here";
   }
   if (run.state() == RunState::Paused) return "paused  \u00b7  space goes on";
   if (run.asleep()) return "at rest  \u00b7  click the cloth to push it";

@@ -1,5 +1,5 @@
-// The order is that of what lies on top: the long list of keys, a field that is typed into, panels, what is written
-// over the cloth, the cloth.
+// The order is that of what lies on top: the long list of keys, a failure over panels, a field that is typed into,
+// panels, what is written over the cloth, the cloth.
 #include "ui/input_router.h"
 
 #include "ui/frame_capture.h"
@@ -20,6 +20,7 @@ std::string_view InputRouter::route(const WindowEvent& event) const {
 InputRouter windowRouter(Panels& panels, Hud& hud, FrameCapture& capture, Viewer& viewer) {
   InputRouter router;
   router.add("all keys", [&](const WindowEvent& event) { return hud.pressAllKeys(event, viewer); });
+  router.add("failure", [&](const WindowEvent& event) { return hud.pressFailure(event, viewer); });
   router.add("imgui", imGuiTakes);
   router.add("panels", [&](const WindowEvent& event) { return panels.handle(event, viewer); });
   router.add("buttons", [&](const WindowEvent& event) { return hud.pressButton(event, viewer); });

@@ -79,7 +79,9 @@ double parseNumber(const std::string& option, const std::string& text, Zero zero
 }
 
 std::string lengthText(double metres) {
+  constexpr double kBeyondReading = 1e6;
   if (!std::isfinite(metres)) return "unknown";
+  if (metres >= kBeyondReading) return fmt::format("{:.2g} m", metres);
   if (metres >= 1) return three(metres) + " m";
   return three(1e3 * metres) + " mm";
 }

@@ -7,7 +7,6 @@
 
 #include "study/motion/tearing.h"
 #include "study/work/work_precision.h"
-#include "util/thread_priority.h"
 
 namespace tyg {
 namespace {
@@ -50,35 +49,32 @@ std::string whyNoReference(const Reference& reference) {
 
 }  // namespace
 
-BackgroundStudy::~BackgroundStudy() {
-  if (!thread_.joinable()) return;
-  {
-    const std::scoped_lock lock(mutex_);
-    ++wanted_;
-    ending_ = true;
-  }
-  woken_.notify_one();
-  thread_.join();
-}
-
 void BackgroundStudy::start(const Scene& scene, std::vector<const Method*> methods) {
-  replaceJob(Job{.scene = scene, .methods = std::move(methods)});
-  if (!thread_.joinable()) thread_ = std::thread([this] { serve(); });
-  woken_.notify_one();
+  thread_.stop();
+  forget(Stage::Reference);
+  thread_.start([this, scene, methods = std::move(methods)](const BackgroundThread::GoesOn& goesOn) {
+    const Job job{.scene = scene, .methods = methods, .goesOn = goesOn};
+    try {
+      study(job);
+    } catch (const std::exception& error) {
+      tell(job, [&](StudyProgress& told) { told.stage = Stage::Failed, told.problem = error.what(); });
+    }
+  });
 }
 
-void BackgroundStudy::stop() { replaceJob(std::nullopt); }
+void BackgroundStudy::stop() {
+  thread_.stop();
+  forget(Stage::Idle);
+}
 
-void BackgroundStudy::replaceJob(std::optional<Job> job) {
+/// What is told from now on by a job that was stopped before is not taken.
+void BackgroundStudy::forget(Stage stage) {
   const std::scoped_lock lock(mutex_);
-  const std::uint64_t number = ++wanted_;
-  if (job) job->number = number;
   told_ = {};
-  if (job) told_.stage = Stage::Reference;
+  told_.stage = stage;
   fraction_ = 0;
   seen_ = told_;
   seenChanges_ = ++changes_;
-  next_ = std::move(job);
 }
 
 const StudyProgress& BackgroundStudy::progress() {
@@ -97,34 +93,16 @@ bool BackgroundStudy::running() const { return seen_.stage == Stage::Reference |
 template <class Change>
 void BackgroundStudy::tell(const Job& job, const Change& change) {
   const std::scoped_lock lock(mutex_);
-  if (!goesOn(job)) return;
+  if (!job.goesOn()) return;
   change(told_);
   ++changes_;
 }
 
 /// True while the job is wanted.
 bool BackgroundStudy::report(const Job& job, double fraction) {
-  if (!goesOn(job)) return false;
+  if (!job.goesOn()) return false;
   fraction_ = fraction;
   return true;
-}
-
-void BackgroundStudy::serve() {
-  niceness_ = lowerThreadPriority();
-  while (true) {
-    std::optional<Job> job;
-    {
-      std::unique_lock lock(mutex_);
-      woken_.wait(lock, [this] { return ending_ || next_; });
-      if (ending_) return;
-      job = std::exchange(next_, std::nullopt);
-    }
-    try {
-      study(*job);
-    } catch (const std::exception& error) {
-      tell(*job, [&](StudyProgress& told) { told.stage = Stage::Failed, told.problem = error.what(); });
-    }
-  }
 }
 
 void BackgroundStudy::study(const Job& job) {
@@ -135,11 +113,11 @@ void BackgroundStudy::study(const Job& job) {
                              std::to_string(kMostParticles) + "): tyg chart does it without one.");
   }
   const auto observer = [&](double fraction) { return report(job, kReferenceShare * fraction); };
-  const Tearing tearing = untilTearsDiffer(job.scene, 1, [&](double) { return goesOn(job); });
+  const Tearing tearing = untilTearsDiffer(job.scene, 1, [&](double) { return job.goesOn(); });
   Job certain = job;
   certain.scene = tearing.scene;
   const auto reference = std::make_shared<const Reference>(makeReference(certain.scene, 1, observer));
-  if (!goesOn(job)) return;
+  if (!job.goesOn()) return;
   if (!reference->usable()) throw std::runtime_error(whyNoReference(*reference));
   tell(job, [&](StudyProgress& told) { told.stage = Stage::Rows, told.reference = reference; });
   rowsOf(certain, reference);

@@ -3,18 +3,16 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "study/motion/reference.h"
 #include "study/work/work_rows.h"
+#include "viewer/background_thread.h"
 
 namespace tyg {
 
@@ -40,10 +38,6 @@ class BackgroundStudy {
   /// What a method costs is measured by this clock on the study's own thread: it should count what that thread has
   /// computed, so that other programs do not matter.
   explicit BackgroundStudy(Clock clock) : clock_(std::move(clock)) {}
-  /// Stops, and waits until the thread notices it: some steps of one run.
-  ~BackgroundStudy();
-  BackgroundStudy(const BackgroundStudy&) = delete;
-  BackgroundStudy& operator=(const BackgroundStudy&) = delete;
 
   /// Begins the study of this scene in its own precision, in the place of any other: first some coarse rows of each of
   /// these methods, then the rest of one after the other. Returns at once.
@@ -56,38 +50,31 @@ class BackgroundStudy {
   /// True until everything found has been seen by progress().
   [[nodiscard]] bool running() const;
   /// The nice value of the thread, 19 where the system lets it be; 0 before the first start.
-  [[nodiscard]] int niceness() const { return niceness_; }
+  [[nodiscard]] int niceness() const { return thread_.niceness(); }
 
  private:
   struct Job {
     Scene scene;
     std::vector<const Method*> methods;
-    std::uint64_t number = 0;
+    BackgroundThread::GoesOn goesOn;
   };
-  void replaceJob(std::optional<Job> job);
-  void serve();
+  void forget(StudyProgress::Stage stage);
   void study(const Job& job);
   void rowsOf(const Job& job, const std::shared_ptr<const Reference>& reference);
-  [[nodiscard]] bool goesOn(const Job& job) const { return wanted_.load(std::memory_order_relaxed) == job.number; }
   bool report(const Job& job, double fraction);
   template <class Change>
   void tell(const Job& job, const Change& change);
 
   Clock clock_;
-  std::atomic<std::uint64_t> wanted_{0};  ///< number of the job to be done; others stop when they see it
   std::atomic<double> fraction_{0};
-  std::atomic<int> niceness_{0};
 
-  std::mutex mutex_;  ///< guards what is declared below it; held for very short times
-  std::condition_variable woken_;
-  std::optional<Job> next_;
-  bool ending_ = false;
+  std::mutex mutex_;  ///< guards the two below it; held for very short times
   StudyProgress told_;
   std::uint64_t changes_ = 0;  ///< of told_
 
   StudyProgress seen_;  ///< by the owner's thread alone, as seenChanges_
   std::uint64_t seenChanges_ = 0;
-  std::thread thread_;  ///< started by the first start()
+  BackgroundThread thread_;  ///< last, so that it ends first
 };
 
 }  // namespace tyg

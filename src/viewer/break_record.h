@@ -2,6 +2,8 @@
 // torn apart so far that there is nothing more to see. Must not know: how it is drawn.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -14,8 +16,13 @@ class BreakRecord {
   struct Moment {
     double time = 0, kinetic = 0;  ///< s, J
   };
-  /// Ticks a second in which it is shown: some seconds until it has broken, whatever the step.
-  static constexpr double kTicksPerSecond = 30;
+  /// It is shown for this long at most, s, and no faster than this.
+  static constexpr double kMostSeconds = 8, kMostTicksPerSecond = 30;
+  /// Ticks a second in which it is shown where it has broken after so many: some seconds, whatever the step.
+  static double ticksPerSecond(std::int64_t ticks) {
+    constexpr double kSeconds = 5, kLeast = 2;
+    return std::clamp(double(ticks) / kSeconds, kLeast, kMostTicksPerSecond);
+  }
 
   void clear() { moments_.clear(); }
   /// A state that is shown; those of a past that was noted before are left out.
@@ -24,8 +31,7 @@ class BreakRecord {
   }
   /// It has been shown for some seconds, at steps of dt s.
   [[nodiscard]] bool isSeen(double dt) const {
-    constexpr double kSeconds = 8;
-    return !moments_.empty() && moments_.back().time - moments_.front().time > kSeconds * kTicksPerSecond * dt;
+    return !moments_.empty() && moments_.back().time - moments_.front().time > kMostSeconds * kMostTicksPerSecond * dt;
   }
   /// It is many times as large as its sheet.
   [[nodiscard]] static bool hasBroken(const ShownState& shown) {

@@ -8,8 +8,12 @@
 namespace tyg {
 namespace {
 
-/// `1.4`, `23`, `120000` times.
-std::string timesText(double ratio) { return fmt::format("{:.{}f} times", ratio, ratio < 10 ? 1 : 0); }
+/// `1.4 times`, `23 times`, `over 10000 times`.
+std::string timesText(double ratio) {
+  constexpr double kMost = 1e4;
+  return ratio > kMost ? fmt::format("over {:.0f} times", kMost)
+                       : fmt::format("{:.{}f} times", ratio, ratio < 10 ? 1 : 0);
+}
 
 std::string named(const Setting& setting) { return std::string(setting.method->name) + ", " + textOf(setting); }
 
@@ -50,9 +54,10 @@ ChartAdvice adviceOn(const std::vector<WorkRow>& rows, const Setting& present, c
   ChartAdvice advice{.present = presentSentence(estimate, present, scale, finished), .better = {}};
   const BetterRows better = betterThan(rows, estimate);
   if (better.cheaper != nullptr) {
-    advice.better += "Faster and at least as accurate: " + named(settingOf(*better.cheaper)) +
-                     fmt::format(", at {:.3g} ms, ", scale.cost(better.cheaper->seconds)) +
-                     timesText(estimate.seconds / better.cheaper->seconds) + " faster. ";
+    advice.better +=
+        "Faster and at least as accurate: " + named(settingOf(*better.cheaper)) +
+        fmt::format(", at {:.3g} ms of computing per simulated second, ", scale.cost(better.cheaper->seconds)) +
+        timesText(estimate.seconds / better.cheaper->seconds) + " faster. ";
   }
   if (better.closer != nullptr) {
     advice.better += "More accurate at no greater cost: " + named(settingOf(*better.closer)) +

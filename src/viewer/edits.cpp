@@ -31,7 +31,6 @@ void Edits::apply(const Setup& setup, Viewer& viewer) {
   const int run = viewer.scenes().runsSoFar();
   viewer.scenes().use(setup.scene);
   viewer.tools().setStrength(setup.pushFactor);
-  viewer.scenes().goOnWhereMended();
   const HandWork hands = handWork(viewer.run().simulation().log());
   const bool sameRun = run == viewer.scenes().runsSoFar();
   if (sameRun && hands != setup.hands && viewer.run().state() != RunState::Frozen) {

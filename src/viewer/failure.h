@@ -58,15 +58,16 @@ class Failure {
   [[nodiscard]] const std::optional<Cure>& cure() const { return cure_; }
   /// Nothing while no alarm has stopped the run.
   [[nodiscard]] const std::optional<LastGood>& lastGood() const { return lastGood_; }
+  /// A state at this tick lies after the last good one.
+  [[nodiscard]] bool isPast(std::int64_t tick) const { return lastGood_ && tick > lastGood_->tick; }
   [[nodiscard]] bool runsOn() const { return runsOn_; }  ///< the person let the run go on past its alarm
   /// Nothing while no alarm has stopped the run, or where no wave explains it.
   [[nodiscard]] const std::optional<FailingMotion>& motion() const { return motion_; }
-  /// s, when the alarm went, as it was told first; NaN while none has stopped the run.
+  /// s, when the alarm went; NaN while none has stopped the run.
   [[nodiscard]] double alarmTime() const { return lastGood_ ? alarmTime_ : std::numeric_limits<double>::quiet_NaN(); }
 
  private:
   void freezeWith(std::string message, const Cure& cure, const ShownState& shown);
-  [[nodiscard]] bool isKnown(const Simulation& simulation) const;
 
   Clock clock_;
   MarginWatch margin_;
@@ -76,8 +77,6 @@ class Failure {
   bool runsOn_ = false;
   // Of the last failure; it is told alike however often it is reached.
   double alarmTime_ = 0;  ///< s
-  const Method* method_ = nullptr;
-  double step_ = 0;  ///< s
   std::optional<FailingMotion> motion_;
 };
 

@@ -26,7 +26,7 @@ glm::vec2 windowOf(const ToolScope& scope) { return {scope.view.pixels().width, 
 
 }  // namespace
 
-void Grab::begin(const ToolScope& scope, int particle, glm::vec2 cursor) {
+void Grab::begin(const ToolScope& scope, int particle, glm::vec2 cursor, glm::vec2 aside) {
   const Camera& camera = scope.view.camera();
   const auto xyz = scope.run.shown().positions().subspan(3 * static_cast<std::size_t>(particle), 3);
   const glm::vec3 there(xyz[0], xyz[1], xyz[2]);
@@ -34,7 +34,7 @@ void Grab::begin(const ToolScope& scope, int particle, glm::vec2 cursor) {
   cursor_ = cursor;
   wanted_ = there;
   depth_ = glm::dot(there - camera.eye(), camera.forward());
-  aside_ = placeInWindow(camera, there, windowOf(scope)) - cursor;
+  aside_ = aside;
   velocity_ = {};
   tick_ = scope.run.simulation().ticks();
   holds_ = depth_ > 0;

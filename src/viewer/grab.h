@@ -14,8 +14,9 @@ namespace tyg {
 /// where the cursor wants it; only velocities are in the run's log, neither camera nor cursor.
 class Grab {
  public:
-  /// Takes hold of a particle with the cursor there. Where time stands still the grab waits until it passes.
-  void begin(const ToolScope& scope, int particle, glm::vec2 cursor);
+  /// Takes hold of a particle, which stays `aside` of the cursor (pixels) from then on. Where time stands still the
+  /// grab waits until it passes.
+  void begin(const ToolScope& scope, int particle, glm::vec2 cursor, glm::vec2 aside);
   void move(glm::vec2 cursor) { cursor_ = cursor; }
   /// Farther by so many notches of the wheel.
   void pushAway(float notches);

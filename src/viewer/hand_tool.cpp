@@ -25,6 +25,7 @@ class HandTool final : public Tool {
     particle_ = *hit;
     away_ = sightLine(scope.view.camera(), cursor, windowOf(scope)).direction;
     pressedAt_ = cursor;
+    aside_ = placeInWindow(scope.view.camera(), placeOf(scope, particle_), windowOf(scope)) - cursor;
     pressedTime_ = scope.run.now();
     return isDown_ = waits_ = true;
   }
@@ -48,8 +49,7 @@ class HandTool final : public Tool {
     isDown_ = waits_ = false;
     push_.release();
     start(scope);
-    grab_.begin(scope, particle_, pressedAt_);
-    grab_.move(cursor);
+    grab_.begin(scope, particle_, cursor, aside_);
     scope.record.picked = particle_;
     ++scope.record.uses;
   }
@@ -118,10 +118,13 @@ class HandTool final : public Tool {
     return pickParticle(scope.view.camera(), cursor, windowOf(scope), run.simulation().sheet(), run.shown().positions(),
                         pixels);
   }
-  static bool isInView(const ToolScope& scope, int particle) {
+  static glm::vec3 placeOf(const ToolScope& scope, int particle) {
     const auto xyz = scope.run.shown().positions().subspan(3 * static_cast<std::size_t>(particle), 3);
+    return {xyz[0], xyz[1], xyz[2]};
+  }
+  static bool isInView(const ToolScope& scope, int particle) {
     const Camera& camera = scope.view.camera();
-    const glm::vec3 there(xyz[0], xyz[1], xyz[2]);
+    const glm::vec3 there = placeOf(scope, particle);
     const glm::vec2 place = placeInWindow(camera, there, windowOf(scope)), window = windowOf(scope);
     const bool ahead = glm::dot(there - camera.eye(), camera.forward()) > 0;
     return ahead && place.x >= 0 && place.y >= 0 && place.x < window.x && place.y < window.y;
@@ -134,6 +137,7 @@ class HandTool final : public Tool {
   int particle_ = 0;
   glm::vec3 away_{0, 0, 1};  ///< along which a push goes, a unit vector
   glm::vec2 pressedAt_{0};   ///< pixels
+  glm::vec2 aside_{0};       ///< pixels, from there to the particle
   double pressedTime_ = 0;   ///< s, of the clock
 };
 

@@ -21,13 +21,15 @@ void PaceMeter::measure(double frameSeconds, double simulatingSeconds, const Fra
   simulatingSeconds_ += share * (std::min(simulatingSeconds, frameSeconds) - simulatingSeconds_);
   late_ = 1 / frameSeconds_ < (late_ ? kInTime : kLate);
   const double simulating = simulatingSeconds_ / frameSeconds_;
+  // It is what is slow where it takes most of the time, or would not keep up with all of it.
+  const bool isSimulating = simulating > 0.5 || (clock.behind() && clock.realTimeFactor() < clock.speed() * simulating);
   using enum Pace::Slow;
   pace_ = {.framesPerSecond = 1 / frameSeconds_,
            .simulating = simulating,
            .realTime = clock.realTimeFactor(),
            .behind = clock.behind(),
            .slow = !late_ && !clock.behind() ? Nothing
-                   : simulating > 0.5        ? Simulating
+                   : isSimulating            ? Simulating
                                              : Drawing};
 }
 

@@ -29,7 +29,7 @@ class Playback {
   void slowDown(double speed) {
     if (!slowed_) speedBefore_ = clock_.speed();
     slowed_ = true;
-    clock_.setSpeed(std::clamp(std::min(speedBefore_, speed), kSlowest, 1.0));
+    clock_.setSpeed(std::clamp(std::min(speedBefore_, speed), kSlowestBreak, 1.0));
   }
   /// Ends a replay, or that slowness; does nothing where there is neither.
   void endReplay() {
@@ -41,7 +41,7 @@ class Playback {
   [[nodiscard]] const FrameClock& clock() const { return clock_; }
 
  private:
-  static constexpr double kSlowest = 1.0 / 64;
+  static constexpr double kSlowest = 1.0 / 64, kSlowestBreak = 1.0 / 4096;
   FrameClock clock_;
   bool replaying_ = false, slowed_ = false;
   double speedBefore_ = 1;  ///< that a replay goes back to

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <exception>
 #include <utility>
 
@@ -52,10 +53,10 @@ void RunControl::startOrPause() {
 
 void RunControl::goOn() {
   intervene();
-  failure_.setRunsOn(failure_.runsOn() && simulation_.status() != Status::Ok);
+  failure_.setRunsOn(failure_.runsOn() && failure_.isPast(shown_.tick()));
   simulation_.keepGoing(failure_.runsOn());
   failure_.thaw();
-  if (failure_.runsOn()) playback_.slowDown(BreakRecord::kTicksPerSecond * simulation_.dt());
+  if (failure_.runsOn()) playback_.slowDown(ticksPerSecond_ * simulation_.dt());
   state_ = RunState::Running;
   playback_.clock().restart();
 }
@@ -81,7 +82,10 @@ void RunControl::turnTo(std::int64_t tick, std::function<void()> then) {
   if (state_ == RunState::Waiting) return;
   playback_.endReplay();
   sleep_.wake();
-  if (failure_.lastGood() && !failure_.runsOn()) tick = std::min(tick, failure_.lastGood()->tick);
+  if (failure_.isPast(tick)) {
+    failure_.setRunsOn(!breaking_.moments().empty());
+    if (!failure_.runsOn()) tick = failure_.lastGood()->tick;
+  }
   state_ = RunState::Paused;
   failure_.thaw();
   notes_.clear();
@@ -112,20 +116,43 @@ void RunControl::replay() {
 }
 
 bool RunControl::canRunOn() const {
-  return failure_.cure() && !failure_.runsOn() && simulation_.status() == Status::Unstable &&
-         !BreakRecord::hasBroken(shown_);
+  const bool isThere = simulation_.status() == Status::Unstable || !breaking_.moments().empty();
+  return failure_.cure() && failure_.lastGood() && !failure_.runsOn() && isThere;
 }
 
+/// From a few ticks before the failure, so that its beginning is seen.
 void RunControl::runOn() {
   if (!canRunOn()) return;
-  breaking_.clear();
-  breaking_.note(shown_);
-  playback_.slowDown(BreakRecord::kTicksPerSecond * simulation_.dt());
-  failure_.thaw();
-  failure_.setRunsOn(true);
+  constexpr std::int64_t kBefore = 8;  // ticks
+  if (breaking_.moments().empty()) ticksPerSecond_ = BreakRecord::ticksPerSecond(ticksToBreak() + kBefore);
+  turnTo(failure_.lastGood()->tick - kBefore, [this] {
+    intervene();
+    breaking_.clear();
+    playback_.slowDown(ticksPerSecond_ * simulation_.dt());
+    failure_.setRunsOn(true);
+    simulation_.keepGoing(true);
+    state_ = RunState::Running;
+    playback_.clock().restart();
+  });
+}
+
+/// How many ticks it takes until there is nothing more to see, where that can be found out at once.
+std::int64_t RunControl::ticksToBreak() {
+  constexpr double kMostWork = 2e6;  // particles times ticks
+  const auto most = std::int64_t(BreakRecord::kMostSeconds * BreakRecord::kMostTicksPerSecond);
+  if (double(simulation_.sheet().count()) * double(most) > kMostWork) return most;
+  const Snapshot here = simulation_.save();
+  ShownState probe = shown_;
   simulation_.keepGoing(true);
-  state_ = RunState::Running;
-  playback_.clock().restart();
+  std::int64_t count = 0;
+  for (; count < most && !BreakRecord::hasBroken(probe); ++count) {
+    ticks_.begin();
+    simulation_.tick();
+    if (!probe.take(simulation_, true)) break;
+  }
+  simulation_.keepGoing(false);
+  simulation_.restore(here);
+  return count;
 }
 
 bool RunControl::turnBeforeFailure(std::function<void()> then) {
@@ -200,26 +227,62 @@ int RunControl::run(std::int64_t ticks, double seconds) {
     journey_.giveUp();
     freeze(error.what());
   }
-  return static_cast<int>(simulation_.ticks() - first);
+  return static_cast<int>(std::max<std::int64_t>(0, simulation_.ticks() - first));
 }
 
 /// Takes the simulation's state over for drawing, unless the alarm says that it is not worth showing.
 void RunControl::show() {
-  if (!shown_.take(simulation_, failure_.runsOn())) return freezeOnAlarm();
-  if (failure_.runsOn() && simulation_.status() != Status::Ok) {
+  if (!shown_.take(simulation_, failure_.runsOn())) {
+    if (failure_.runsOn()) return freezeOnAlarm();
+    if (failsAhead()) return goBackToAlarm(), freezeOnAlarm();
+    if (!shown_.take(simulation_, true)) return freezeOnAlarm();
+  }
+  if (failure_.runsOn() && failure_.isPast(shown_.tick())) {
     breaking_.note(shown_);
     const bool isOver = BreakRecord::hasBroken(shown_) || breaking_.isSeen(simulation_.dt());
     if (isOver && state_ == RunState::Running && !history_.past()) return freezeOnAlarm();
   } else if (!failure_.lastGood()) {
     breaking_.clear();
   }
-  if (simulation_.status() == Status::Ok && !history_.past()) failure_.passed(shown_.tick());
+  if (!failure_.runsOn() && simulation_.status() == Status::Ok && !history_.past()) failure_.passed(shown_.tick());
   noteFastContact();
   if (state_ == RunState::Running && !playback_.replaying() && !listener_.actsAt(shown_.tick())) {
     sleep_.follow(simulation_, shown_.kinetic());
   } else {
     sleep_.wake();
   }
+}
+
+/// Whether the next energy check finds the run unstable, as a look between two of them does. The simulation stays here.
+bool RunControl::failsAhead() {
+  constexpr int kTicks = 64;  // a check comes every 64 steps, and a tick is a step at least
+  if (simulation_.status() != Status::Ok) return true;
+  const Snapshot here = simulation_.save();
+  ticks_.begin();
+  simulation_.tick(kTicks);
+  const bool fails = simulation_.status() != Status::Ok || ticks_.takeStall();
+  simulation_.restore(here);
+  return fails;
+}
+
+/// Goes back to the first tick since the last energy check at which the run is found unstable, and takes over what was
+/// to be seen before: so a failure has the same time whatever frames there were. Where that would keep the window
+/// waiting, the present tick is the one.
+void RunControl::goBackToAlarm() {
+  constexpr int kMostParticles = 20000;
+  constexpr std::int64_t kSteps = 64;  // from check to check
+  const std::int64_t here = simulation_.ticks(), steps = simulation_.steps();
+  if (simulation_.sheet().count() > kMostParticles || here <= history_.first().ticks) return;
+  simulation_.keepGoing(true);
+  history_.turnTo(simulation_, here - 1 - (steps + kSteps - 1) % kSteps);
+  ticks_.begin();
+  history_.tick(simulation_, history_.target() - simulation_.ticks());
+  while (shown_.take(simulation_, false) && simulation_.ticks() < here) {
+    ticks_.begin();
+    history_.tick(simulation_, 1);
+  }
+  history_.cut(simulation_);
+  simulation_.keepGoing(false);
 }
 
 /// Said once in a run.
@@ -232,6 +295,7 @@ void RunControl::noteFastContact() {
 }
 
 void RunControl::freezeOnAlarm() {
+  simulation_.check();
   playback_.endReplay();
   listener_.settingsReturned();
   state_ = RunState::Frozen;

@@ -80,7 +80,7 @@ class RunControl {
   /// Called with the log of a run that has ended, at a restart.
   void onRunEnd(std::function<void(const EventLog&)> keep) { onRunEnd_ = std::move(keep); }
   /// The energies now; the dissipated one and the drift are followed from followLedger(true) on.
-  Ledger ledger() { return simulation_.ledger(); }
+  [[nodiscard]] Ledger ledger() const { return simulation_.glance().ledger; }
   void followLedger(bool on) { simulation_.followLedger(on); }
 
   [[nodiscard]] RunState state() const { return state_; }
@@ -93,9 +93,7 @@ class RunControl {
   /// Of a cloth that was let run on past its alarm; empty for others.
   [[nodiscard]] std::span<const BreakRecord::Moment> breaking() const { return breaking_.moments(); }
   /// It runs on past its alarm, or is shown as that has left it.
-  [[nodiscard]] bool showsBreaking() const {
-    return !breaking_.moments().empty() && shown_.time() >= failure_.alarmTime();
-  }
+  [[nodiscard]] bool showsBreaking() const { return !breaking_.moments().empty() && failure_.isPast(shown_.tick()); }
   /// It can be let run on past its alarm.
   [[nodiscard]] bool canRunOn() const;
   [[nodiscard]] Timeline timeline() const;
@@ -116,6 +114,9 @@ class RunControl {
   int run(std::int64_t ticks, double seconds);
   void show();
   void noteFastContact();
+  bool failsAhead();
+  void goBackToAlarm();
+  [[nodiscard]] std::int64_t ticksToBreak();
   void freezeOnAlarm();
   void freezeOnStall();
 
@@ -124,6 +125,7 @@ class RunControl {
   RunListener& listener_;
   Simulation simulation_;
   Playback playback_;
+  double ticksPerSecond_ = 1;  ///< of the clock, in which a cloth is let break
   History history_;
   TickRunner ticks_;
   SleepWatch sleep_;

@@ -10,7 +10,7 @@
 #include "core/simulation/live_parameters.h"
 #include "core/simulation/replay.h"
 #include "tyg/methods.h"
-#include "util/whole_file.h"
+#include "viewer/opened_file.h"
 
 namespace tyg {
 namespace {
@@ -22,14 +22,14 @@ constexpr double kStepFactor = 1.05;
 
 }  // namespace
 
-SceneControl::SceneControl(const Scene& scene, const Settings& settings, RunControl& run, Notes& notes)
-    : run_(run), notes_(notes), scene_(scene), settings_(settings), method_(&findMethod(scene.integrator)) {}
+SceneControl::SceneControl(const Scene& scene, Settings settings, RunControl& run, Notes& notes)
+    : run_(run), notes_(notes), scene_(scene), settings_(std::move(settings)), method_(&findMethod(scene.integrator)) {}
 
 SceneChange SceneControl::use(const Scene& scene) {
   if (run_.seeking()) return SceneChange::None;
   const SceneChange change = changeBetween(scene_, scene);
   try {
-    if (change == SceneChange::Live) useLive(scene);
+    if (change == SceneChange::Live) useLive(scene), goOnWhereMended();
     if (change > SceneChange::Live) begin(scene, change == SceneChange::NewSheet);
   } catch (const std::exception& error) {
     notes_.warn(error.what());
@@ -38,11 +38,10 @@ SceneChange SceneControl::use(const Scene& scene) {
   return change;
 }
 
-void SceneControl::open(const std::string& path) {
+void SceneControl::open(const OpenedFile& file, const std::string& path) {
   if (run_.seeking()) return;
-  std::string text = readWholeFile(path, "cannot read", "a scene (.toml) or a log (.csv)");
-  if (text.starts_with("# ") && text.find("\ntick,event") != std::string::npos) return play(parseEventLog(text, path));
-  begin(parseScene(text, path, methodNames()), true);
+  if (file.kind == OpenedFile::Kind::Log) return play(parseEventLog(file.text, path));
+  begin(parseScene(file.text, path, methodNames()), true);
 }
 
 void SceneControl::play(EventLog log) {
@@ -80,18 +79,30 @@ void SceneControl::useMethod(const Method& method) {
 }
 
 void SceneControl::chooseMethod(std::size_t slot) {
-  if (slot < methods().size()) useMethod(methods()[slot]);
+  if (slot >= methods().size()) return;
+  useMethod(methods()[slot]);
+  goOnWhereMended();
 }
 
 void SceneControl::useStep(double dt) {
-  if (run_.state() == RunState::Frozen || run_.seeking()) return;
-  run_.intervene().useStep(std::clamp(dt, kShortestStep * scene_.duration, kLongestStep * scene_.duration));
+  if (run_.seeking()) return;
+  const double step = std::clamp(dt, kShortestStep * scene_.duration, kLongestStep * scene_.duration);
+  if (run_.state() == RunState::Frozen) {
+    scene_.dt = step;
+    return run_.fitCure(scene_);
+  }
+  run_.intervene().useStep(step);
   followSimulation();
 }
 
-void SceneControl::smallerStep() { useStep(run_.simulation().dt() / kStepFactor); }
+void SceneControl::changeStep(double factor) {
+  useStep(scene_.dt * factor);
+  goOnWhereMended();
+}
 
-void SceneControl::largerStep() { useStep(run_.simulation().dt() * kStepFactor); }
+void SceneControl::smallerStep() { changeStep(1 / kStepFactor); }
+
+void SceneControl::largerStep() { changeStep(kStepFactor); }
 
 void SceneControl::followSimulation() {
   const Simulation& simulation = run_.simulation();
@@ -101,11 +112,12 @@ void SceneControl::followSimulation() {
   copyLiveParameters(simulation.scene(), scene_);
 }
 
-void SceneControl::begin(const Scene& scene, bool newSheet) {
+void SceneControl::begin(Scene scene, bool newSheet) {
+  if (newSheet && onCard()) scene.precision = Precision::Float;
   const Method& method = findMethod(scene.integrator);
   Simulation fresh(scene, method, settings_);  // first: it may refuse the scene
   const bool running = run_.state() == RunState::Running;
-  scene_ = scene;
+  scene_ = std::move(scene);
   method_ = &method;
   if (newSheet) ++sheetsSoFar_;
   ++runsSoFar_;
@@ -122,6 +134,25 @@ void SceneControl::restart() {
 void SceneControl::followLedger(bool on) {
   settings_.ledger = on;
   run_.followLedger(on);
+}
+
+void SceneControl::moveOnCard(bool on) {
+  if (run_.seeking() || on == onCard() || !cardOffer_) return;
+  try {
+    Scene scene = scene_;
+    if (on) scene.precision = Precision::Float;
+    OfferedCard card;
+    if (on) card = cardOffer_(scene);
+    Settings settings = settings_;
+    settings.device = card.device;
+    Simulation fresh(scene, *method_, settings);
+    scene_ = std::move(scene), settings_ = std::move(settings);
+    ++runsSoFar_;
+    run_.startOver(std::move(fresh));
+    if (!card.sentence.empty()) notes_.say(card.sentence);
+  } catch (const std::exception& error) {
+    notes_.warn(error.what());
+  }
 }
 
 /// At once, or, after an alarm, shortly before the failure, and goes on from there. What was set since that time, or
@@ -149,10 +180,12 @@ void SceneControl::takeSafeStep() {
   if (step > 0) wanted.dt = step, cureWith(wanted);
 }
 
+/// Goes on from before a failure where what is chosen by now holds.
 void SceneControl::goOnWhereMended() {
   const Simulation& failed = run_.simulation();
   if (run_.state() != RunState::Frozen || !run_.failure().cure()) return;
-  if (method_ == &failed.method() && scene_.dt == failed.dt()) return;
+  const bool same = method_ == &failed.method() && scene_.dt == failed.dt();
+  if (same && sameLiveParameters(scene_, failed.scene())) return;
   run_.updateMargin(scene_);
   if (run_.margin().band() == MarginBand::Past) return;
   const Scene wanted = scene_;

@@ -5,24 +5,27 @@
 
 #include <array>
 #include <string>
+#include <utility>
 
+#include "viewer/card_offer.h"
 #include "viewer/run_control.h"
 #include "viewer/scene_change.h"
 
 namespace tyg {
 
+struct OpenedFile;
 using StepText = std::array<char, 48>;
 
 class SceneControl {
  public:
   /// `scene`: that of the run's simulation. All that is given here must live as long as this does.
-  SceneControl(const Scene& scene, const Settings& settings, RunControl& run, Notes& notes);
+  SceneControl(const Scene& scene, Settings settings, RunControl& run, Notes& notes);
 
   /// Goes on with this scene: at once where the running simulation can, else from the start. Changes nothing and warns
   /// where the scene does not fit together. Returns what it took.
   SceneChange use(const Scene& scene);
   /// Opens a scene or the log of a run, which is then played. Throws InputError where it is neither, or cannot be used.
-  void open(const std::string& path);
+  void open(const OpenedFile& file, const std::string& path);
   /// By its slot in methods(); does nothing beyond the last one.
   void chooseMethod(std::size_t slot);
   /// By a twentieth.
@@ -32,12 +35,17 @@ class SceneControl {
   void takeSafeStep();
   /// The method of the cure; does nothing where there is none.
   void takeHoldingMethod();
-  /// Goes on from before a failure where the method and the step that are chosen by now hold.
-  void goOnWhereMended();
   /// From the start, with the scene, method and step that are chosen.
   void restart();
   /// Whether to follow the dissipated energy, restarts included.
   void followLedger(bool on);
+  /// From now on a graphics card can be had.
+  void offerCard(CardOffer offer) { cardOffer_ = std::move(offer); }
+  [[nodiscard]] bool canHaveCard() const { return cardOffer_ != nullptr; }
+  /// Whether the graphics card moves the cloth, which then begins anew, in float. Says what the card is; changes
+  /// nothing and warns where none serves.
+  void moveOnCard(bool on);
+  [[nodiscard]] bool onCard() const { return settings_.device != nullptr; }
   /// Time came to a tick that may have had another method, step or live parameters: they are the chosen ones now.
   void followSimulation();
 
@@ -57,7 +65,9 @@ class SceneControl {
   void useLive(const Scene& scene);
   void useMethod(const Method& method);
   void useStep(double dt);
-  void begin(const Scene& scene, bool newSheet);
+  void changeStep(double factor);
+  void goOnWhereMended();
+  void begin(Scene scene, bool newSheet);
   void play(EventLog log);
   void cureWith(const Scene& wanted);
 
@@ -65,6 +75,7 @@ class SceneControl {
   Notes& notes_;
   Scene scene_;
   Settings settings_;
+  CardOffer cardOffer_;
   const Method* method_;
   int sheetsSoFar_ = 1, runsSoFar_ = 1;
 };

@@ -5,19 +5,25 @@
 #include <cmath>
 
 namespace tyg {
+namespace {
 
-bool ShownState::take(Simulation& simulation, bool pastAlarm) {
-  const double kinetic = simulation.ledger().kinetic;  // checks the alarm too
+/// Sheet sizes: of a cloth that is let break and is larger than this there is nothing to see.
+constexpr double kMostSizes = 1000;
+
+}  // namespace
+
+bool ShownState::take(const Simulation& simulation, bool pastAlarm) {
+  const Glance glance = simulation.glance();
   const auto numbers = static_cast<std::size_t>(3 * simulation.sheet().count());
   positions_.resize(numbers);
-  const Status status = simulation.status();
-  if (status == Status::NotFinite || (status != Status::Ok && !pastAlarm)) return false;
+  if (glance.status == Status::NotFinite || (glance.status != Status::Ok && !pastAlarm)) return false;
   next_.resize(numbers);
   simulation.copyPositions(next_);
   // A run past its alarm leaves what a picture can hold before it leaves what can be computed with.
   if (!std::ranges::all_of(next_, [](float x) { return std::isfinite(x); })) return false;
+  if (pastAlarm && double(boxAround(next_).size()) > kMostSizes * simulation.sheet().size()) return false;
   positions_.swap(next_);
-  kinetic_ = kinetic;
+  kinetic_ = glance.ledger.kinetic;
   time_ = simulation.time();
   tick_ = simulation.ticks();
   box_ = boxAround(positions_);

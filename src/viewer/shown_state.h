@@ -15,7 +15,7 @@ class ShownState {
  public:
   /// Takes over the simulation's state. Returns false, and keeps the state before, where a picture cannot hold it or,
   /// unless `pastAlarm`, where the alarm says that it is wrong. Allocates nothing but for another number of particles.
-  bool take(Simulation& simulation, bool pastAlarm);
+  bool take(const Simulation& simulation, bool pastAlarm);
 
   /// What was done to the sheet at the shown time without time passing.
   void followSheet(const Simulation& simulation) {

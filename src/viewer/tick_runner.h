@@ -26,6 +26,8 @@ class TickRunner {
   void guard(Simulation& simulation);
   /// Up to `ticks`, one at least where any are due, until `seconds` of the clock are over or the alarm stops them.
   void run(Simulation& simulation, History& history, RunListener& listener, std::int64_t ticks, double seconds);
+  /// Of ticks that are run otherwise: the next one begins now.
+  void begin() { tickBegan_ = clock_(); }
   /// Whether a tick was given up since the last call; the simulation is at its beginning.
   [[nodiscard]] bool takeStall() { return std::exchange(late_, false); }
 

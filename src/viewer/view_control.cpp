@@ -79,8 +79,8 @@ void ViewControl::fitView() {
 FreePart ViewControl::freePart() const {
   const auto [width, height] = pixels_;
   const auto heights = [height = height](int pixels) { return float(pixels) / float(height); };
-  return {.width = heights(std::max(width / 3, width - insets_.left - insets_.right)),
-          .height = heights(std::max(height / 3, height - insets_.top - insets_.bottom)),
+  return {.width = heights(std::max(width / 5, width - insets_.left - insets_.right)),
+          .height = heights(std::max(height / 5, height - insets_.top - insets_.bottom)),
           .toTheRight = heights(insets_.left - insets_.right) / 2,
           .above = heights(insets_.bottom - insets_.top) / 2};
 }

@@ -32,7 +32,7 @@ class ViewControl {
   void follow(const Box& cloth, std::span<const Body> bodies, bool hasMoved);
 
   /// Size of the window, and its insets. The first one that is not empty frames the cloth, and what is beside it, in
-  /// the rest (a third of each side in any case), as frameCloth() does. So do later ones, until the person moves the
+  /// the rest (a fifth of each side in any case), as frameCloth() does. So do later ones, until the person moves the
   /// camera: from then on the cloth stays as large as it is, and slides to the middle of what is free.
   void resize(Extent pixels, const Insets& insets);
   /// Shows all of the cloth and of the bodies near to it, as large as fits.

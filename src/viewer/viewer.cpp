@@ -1,6 +1,7 @@
 // Looks each key up in the table of inputs, and does in each frame first what moves the camera, then the cloth.
 #include "viewer/viewer.h"
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "view/body_shapes.h"
 #include "view/picking.h"
 #include "viewer/motion_bounds.h"
+#include "viewer/opened_file.h"
 
 namespace tyg {
 namespace {
@@ -30,8 +32,14 @@ Viewer::Viewer(const Scene& scene, const Settings& settings, Clock clock)
   run_.showStart();
 }
 
+std::int64_t Viewer::beforeTicks(Simulation& simulation, std::int64_t due) {
+  const std::int64_t most = tools_.follow(simulation, due);
+  return review_.isOpen() ? std::min(most, review_.ghost().meet(simulation)) : most;
+}
+
 void Viewer::runBegan() {
   tools_.restart();
+  if (const std::string closed = review_.beginRun(scenes_.scene()); !closed.empty()) notes_.warn(closed);
   view_.followScene(scenes_.scene().look.show);
   if (std::exchange(sheet_, scenes_.sheetsSoFar()) == scenes_.sheetsSoFar()) return;
   tools_.forgetParticles();
@@ -75,7 +83,7 @@ void Viewer::dispatch(const WindowEvent& event) {
       return keys_.releaseAll();
     case WindowEvent::Kind::Drop:
       notes_.clear();
-      return scenes_.open(event.path);
+      return openFile(event.path);
     case WindowEvent::Kind::Exposed:
       return;
   }
@@ -129,6 +137,24 @@ void Viewer::perform(InputAction action) {
   } catch (const std::exception& error) {
     notes_.warn(error.what());
   }
+}
+
+bool Viewer::open(const std::string& path) {
+  try {
+    openFile(path);
+    return true;
+  } catch (const std::exception& error) {
+    notes_.warn(error.what());
+    return false;
+  }
+}
+
+void Viewer::openFile(const std::string& path) {
+  if (run_.seeking()) return;
+  const OpenedFile file = readOpened(path);
+  if (file.kind != OpenedFile::Kind::Motion) return scenes_.open(file, path);
+  review_.open(file.text, path, scenes_.scene());
+  wantedPanel_ = OpenGhost;
 }
 
 void Viewer::act(InputAction action) {
@@ -192,6 +218,7 @@ void Viewer::frame() {
   tools_.frame();
   run_.advance(seconds, pace_.otherSeconds());
   followCloth();
+  if (review_.isOpen()) review_.ghost().moveTo(run_.shown().time());
   view_.followBreaking(run_.showsBreaking(), run_.state() == RunState::Running);
   run_.updateMargin(scenes_.scene());
   if (!woken_ && !idle()) pace_.measure(seconds, clock_() - now, run_.frameClock());

@@ -1,9 +1,14 @@
 // The viewer without its window: takes each input to the part that it is for, and takes all parts through each frame.
-// Must not know: window libraries, OpenGL, files. Time comes from the clock it is given.
+// Must not know: window libraries, OpenGL. Time comes from the clock it is given.
 #pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "viewer/held_keys.h"
 #include "viewer/input_event.h"
+#include "viewer/motion_review.h"
 #include "viewer/pace_meter.h"
 #include "viewer/run_control.h"
 #include "viewer/scene_control.h"
@@ -23,6 +28,11 @@ class Viewer final : private RunListener {
   void handle(const WindowEvent& event);
   /// What the key of this action does, for buttons. Those that need a cursor or a number do nothing.
   void perform(InputAction action);
+  /// Opens a file as one that is dropped onto the window: a scene, the log of a run, which is then played, or a motion
+  /// of the scene that is open (.csv). Changes nothing and warns where it is none of these; then false.
+  bool open(const std::string& path);
+  /// A panel that has something new to show and is to be opened; told once.
+  [[nodiscard]] std::optional<InputAction> takeWantedPanel() { return std::exchange(wantedPanel_, std::nullopt); }
   /// Size of the window, and what of it is not free for the cloth; see ViewControl::resize.
   void resize(Extent pixels, const Insets& insets);
   /// As the key does it that goes through lines, surface and both.
@@ -37,6 +47,7 @@ class Viewer final : private RunListener {
   [[nodiscard]] const ViewControl& view() const { return view_; }
   [[nodiscard]] Tools& tools() { return tools_; }
   [[nodiscard]] const Tools& tools() const { return tools_; }
+  [[nodiscard]] MotionReview& review() { return review_; }
   [[nodiscard]] Notes& notes() { return notes_; }
   [[nodiscard]] const Notes& notes() const { return notes_; }
 
@@ -50,7 +61,7 @@ class Viewer final : private RunListener {
   [[nodiscard]] ViewLogLine logLine() const;
 
  private:
-  std::int64_t beforeTicks(Simulation& simulation, std::int64_t due) override { return tools_.follow(simulation, due); }
+  std::int64_t beforeTicks(Simulation& simulation, std::int64_t due) override;
   [[nodiscard]] bool actsAt(std::int64_t tick) const override { return tools_.actsAt(tick); }
   void settingsReturned() override { scenes_.followSimulation(); }
   void runBegan() override;
@@ -64,6 +75,7 @@ class Viewer final : private RunListener {
   void release(KeyCode key);
   void moveCursor(glm::vec2 cursor);
   void act(InputAction action);
+  void openFile(const std::string& path);
   void followCloth();
 
   Clock clock_;
@@ -72,6 +84,8 @@ class Viewer final : private RunListener {
   SceneControl scenes_;
   ViewControl view_;
   Tools tools_;
+  MotionReview review_;
+  std::optional<InputAction> wantedPanel_;
   HeldKeys keys_;
   PaceMeter pace_;
   std::vector<Body> bodies_;  ///< where they are at the shown time

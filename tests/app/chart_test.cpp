@@ -14,7 +14,7 @@ TEST(Chart, WritesRowsScriptAndPictures) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   const std::string rows = contentsOf(folder / "made/here/rows.csv");
   EXPECT_EQ(rows.rfind("scene,columns,rows,integrator,precision,dt,tolerance,steps,force_evaluations,seconds,"
-                       "rms_error_m,max_error_m,energy_drift,floor_m,horizon_s,status\n",
+                       "rms_error_m,max_error_m,energy_drift,floor_m,horizon_s,status,device\n",
                        0),
             0U);
   for (const char* part : {"curtain,4,4,leapfrog,double,", "curtain,4,4,rk4,float,", ",unstable\n", ",ok\n"}) {

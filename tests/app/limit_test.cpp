@@ -45,13 +45,20 @@ TEST(Limit, InJsonGivesTheChangesAndNullWhereThereIsNone) {
   EXPECT_EQ(jsonValue(outcome.out, "holds"), "false");
 }
 
+TEST(Limit, NamesOnlySpringsWithDampingWhereDampingSetsTheLimit) {
+  const Outcome springs = tyg("limit --ks 1200,900,200 --kd 5,0,0 --mass 18g --methods leapfrog");
+  EXPECT_TRUE(holds(springs.out, "damping of structural springs")) << springs.out;
+  const Outcome drag = tyg("limit --ks 100 --drag 100 --mass 18g --methods leapfrog");
+  EXPECT_TRUE(holds(drag.out, "drag on the particles")) << drag.out;
+}
+
 TEST(Limit, RefusesWhatIsMissingOrIsNoNumber) {
   for (const auto& [arguments, said] :
        {std::pair{"limit --mass 18g", "found no --ks"}, std::pair{"limit --ks 100", "found no --mass"},
         std::pair{"limit --ks 1,2,3,4 --mass 1g", "one to three numbers"},
         std::pair{"limit --ks 1,,3 --mass 1g", "one to three numbers"},
         std::pair{"limit --ks 100 --mass -1", "found '-1'"}, std::pair{"limit --ks 1e40 --mass 1", "1e+40"},
-        std::pair{"limit --ks 100 --mass 1g --methods rk5", "rk5"},
+        std::pair{"limit --ks 100 --mass 1g --methods rk5", "--integrator or --methods: found \"rk5\""},
         std::pair{"limit --ks 100 --mass 1g --dt 0", "above 0"}}) {
     const Outcome outcome = tyg(arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;

@@ -37,7 +37,7 @@ std::vector<std::string> jsonKeys(const std::string& json) {
 bool isFlatJson(const std::string& text) {
   const auto parsed = nlohmann::json::parse(text, nullptr, false);
   return parsed.is_object() && std::ranges::all_of(parsed, [](const nlohmann::json& value) {
-           return value.is_number() || value.is_string() || value.is_null();
+           return value.is_number() || value.is_string() || value.is_boolean() || value.is_null();
          });
 }
 

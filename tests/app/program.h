@@ -23,7 +23,7 @@ Outcome tyg(const std::string& arguments, const std::string& before = "");
 std::string jsonValue(const std::string& json, const std::string& path);
 /// Every key in JSON, in order. Throws where the text is no JSON.
 std::vector<std::string> jsonKeys(const std::string& json);
-/// Is the text one JSON object of numbers, strings and nulls?
+/// Is the text one JSON object of numbers, strings, truths and nulls?
 bool isFlatJson(const std::string& text);
 
 }  // namespace tyg

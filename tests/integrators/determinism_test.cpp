@@ -2,47 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <vector>
 
 #include "core/forces/row_kernel.h"
-#include "tyg/methods.h"
-#include "tyg/simulation.h"
+#include "golden_hashes.h"
 
 namespace tyg {
 namespace {
 
-constexpr double kTime = 0.3;        // s: long enough for every spring family, pin and push edge to matter
 constexpr double kShortTime = 0.06;  // s: for the method whose steps cost twenty times as much as the others'
-
-std::string hexadecimal(std::uint64_t number) {
-  std::ostringstream text;
-  text << std::hex << number;
-  return text.str();
-}
-
-std::string hashAfter(Scene scene, const Method& method, Precision precision, const Settings& settings,
-                      double time = kTime) {
-  scene.precision = precision;
-  for (Push& push : scene.pushes) push.at = 0.1 * (time / kTime);
-  for (Move& move : scene.moves) move.at *= time / kTime;
-  for (Cut& cut : scene.cuts) cut.at = 0.1 * (time / kTime);
-  Simulation simulation(scene, method, settings);
-  simulation.advanceTo(time);
-  // What a NaN looks like is up to the machine.
-  return simulation.status() == Status::NotFinite ? "not-finite" : hexadecimal(simulation.hash());
-}
-
-/// Lines "scene method precision hash"; made anew by printing what a run gives: see the failure text.
-std::map<std::string, std::string> goldenHashes() {
-  std::map<std::string, std::string> hashes;
-  std::ifstream file(TYG_SOURCE_DIR "/tests/integrators/golden_hashes.txt");
-  std::string scene, method, precision, hash;
-  while (file >> scene >> method >> precision >> hash) hashes[scene + " " + method + " " + precision] = hash;
-  return hashes;
-}
 
 /// The vector levels of this machine and this build, all of which the one binary holds.
 std::vector<VectorLevel> vectorLevels() {
@@ -68,7 +37,7 @@ TEST_P(GoldenHashes, HoldForEverySceneAndMethod) {
       for (const Precision precision : {Precision::Float, Precision::Double}) {
         const std::string key =
             scene.name + " " + std::string(method.name) + (precision == Precision::Float ? " float" : " double");
-        const double time = method.name == "backward-euler" ? kShortTime : kTime;
+        const double time = method.name == "backward-euler" ? kShortTime : kGoldenTime;
         const std::string hash = hashAfter(scene, method, precision, {.threads = 1}, time);
         const auto found = golden.find(key);
         EXPECT_TRUE(found != golden.end() && found->second == hash) << "golden line: " << key << " " << hash;

@@ -145,7 +145,25 @@ TEST(Check, SaysThatAStepIsTooLongWhereARightProgramExplodes) {
   scene.dt = 0.02, scene.pushes.clear();
   const MotionCheck check = checkedText(scene, ownRows(OwnProgram(scene, {}, "symplectic-euler", 0.02), 0.02, 8, 1));
   EXPECT_EQ(check.verdict, MotionCheck::Verdict::Right) << saidOf(check);
-  EXPECT_NE(saidOf(check).find("take a shorter step"), std::string::npos) << saidOf(check);
+  EXPECT_TRUE(check.stepIsTooLong());
+  for (const char* words : {"The program is right, but its step is longer than", "take a shorter step"}) {
+    EXPECT_NE(saidOf(check).find(words), std::string::npos) << saidOf(check);
+  }
+}
+
+TEST(Check, CallsAMotionFarOutsideTheSheetExplodedWithoutLongNumbers) {
+  const Scene scene = checkedScene(Damping::Relative);
+  std::string text = "t,x0,y0,z0";
+  for (int particle = 1; particle < 20; ++particle) text += fmt::format(",x{0},y{0},z{0}", particle);
+  for (int k = 1; k <= 20; ++k) {
+    text += fmt::format("\n{:g}", 0.01 * k);
+    for (int number = 0; number < 60; ++number) text += fmt::format(",{:g}", std::pow(1e7, k) * ((7 * number) % 11));
+  }
+  const MotionCheck check =
+      checkMotion(scene, readMotion(text + "\n", "motion.csv", scene), {.dt = 0.01, .threads = 1, .observer = {}});
+  EXPECT_EQ(check.verdict, MotionCheck::Verdict::Unexplained) << saidOf(check);
+  EXPECT_TRUE(saidOf(check).starts_with("Your cloth has exploded: ")) << saidOf(check);
+  EXPECT_LT(saidOf(check).size(), 400U) << saidOf(check);
 }
 
 TEST(Check, CallsAnUnknownMethodRightByItsError) {
@@ -172,6 +190,24 @@ TEST(Check, OfRandomProgramsAccusesNoRightOneAndNamesMistakes) {
       EXPECT_FALSE(check.accused) << check.what << "\n" << check.said;
       EXPECT_TRUE(check.named) << check.what << "\n" << check.said;
     }
+  }
+}
+
+TEST(Check, ComesToTheSameWhateverTheNumberOfThreads) {
+  const Scene scene = checkedScene(Damping::Relative);
+  const auto rowsWith = [&](const std::vector<std::string>& made) {
+    return ownRows(OwnProgram(scene, made, "leapfrog", 2e-3), 2e-3, 100, 10);
+  };
+  const std::string two = rowsWith({"gravity doubled", "damping left out"});
+  const std::string three = rowsWith({"gravity doubled", "damping reversed", "shear springs left out"});
+  for (const std::string& text : {rowsWith({}), two, three}) {
+    const GivenMotion motion = readMotion(text, "motion.csv", scene);
+    const std::optional<double> dt = text == three ? std::optional(2e-3) : std::nullopt;  // all steps would take long
+    const MotionCheck alone = checkMotion(scene, motion, {.dt = dt, .threads = 1, .observer = {}});
+    const MotionCheck many = checkMotion(scene, motion, {.dt = dt, .threads = 3, .observer = {}});
+    EXPECT_EQ(verdictWords(many), verdictWords(alone));
+    EXPECT_EQ(many.explained, alone.explained);
+    EXPECT_EQ(many.withoutMistake, alone.withoutMistake);
   }
 }
 

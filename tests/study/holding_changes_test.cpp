@@ -95,8 +95,8 @@ TEST(HoldingChanges, TheSpringsThatLimitAreThoseWithoutWhichTheLimitIsAnother) {
   scene.structural.ks = 1000;
   scene.shear.ks = 700;
   scene.bend.ks = 100;  // of the wave with opposite neighbours both ends of a bend spring move alike
-  EXPECT_EQ(springsThatLimit(scene, findMethod("rk4")), (std::vector<std::string>{"structural", "shear"}));
-  EXPECT_TRUE(springsThatLimit(scene, findMethod("xpbd")).empty());
+  EXPECT_EQ(springsThatLimit(scene, findMethod("rk4"), false), (std::vector<std::string>{"structural", "shear"}));
+  EXPECT_TRUE(springsThatLimit(scene, findMethod("xpbd"), false).empty());
 }
 
 }  // namespace

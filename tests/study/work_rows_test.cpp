@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kHeader =
     "scene,columns,rows,integrator,precision,dt,tolerance,steps,force_evaluations,seconds,rms_error_m,max_error_m,"
-    "energy_drift,floor_m,horizon_s,status\n";
+    "energy_drift,floor_m,horizon_s,status,device\n";
 
 WorkRow someRow(const std::string& integrator, double error, double seconds, std::int64_t evaluations) {
   WorkRow row;
@@ -29,13 +29,25 @@ TEST(WorkRows, HaveTheHeaderThatScriptsRelyOn) { EXPECT_EQ(workCsv({}), kHeader)
 TEST(WorkRows, AreReadBackAsTheyWereWritten) {
   std::vector<WorkRow> rows{someRow("rk4", 1e-3 / 3, 0.1, 24), someRow("bs32", 1e-300, 1e22, 1'000'000'000'000)};
   rows[0].scene = "a folder, with \"quotes\"/x.toml";
-  rows[1].precision = Precision::Float, rows[1].tolerance = 1e-7;
+  rows[1].precision = Precision::Float, rows[1].tolerance = 1e-7, rows[1].device = RowDevice::Gpu;
   const std::vector<WorkRow> read = parseWorkCsv(workCsv(rows), "rows.csv");
   ASSERT_EQ(read.size(), 2U);
   EXPECT_EQ(read[0].scene, rows[0].scene);
   EXPECT_EQ(read[0].rmsError, rows[0].rmsError);
   EXPECT_EQ(read[1].precision, Precision::Float);
+  EXPECT_EQ(read[0].device, RowDevice::Cpu);
+  EXPECT_EQ(read[1].device, RowDevice::Gpu);
   EXPECT_EQ(workCsv(read), workCsv(rows));
+}
+
+TEST(WorkRows, FromBeforeThereWasADeviceAreOfTheProcessor) {
+  const std::string old =
+      "scene,columns,rows,integrator,precision,dt,tolerance,steps,force_evaluations,seconds,rms_error_m,max_error_m,"
+      "energy_drift,floor_m,horizon_s,status\ncurtain,20,20,rk4,float,0.001,0,6,24,0.1,0.01,0.02,0,0,1,ok\n";
+  const std::vector<WorkRow> read = parseWorkCsv(old, "rows.csv");
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_EQ(read[0].device, RowDevice::Cpu);
+  EXPECT_EQ(read[0].integrator, "rk4");
 }
 
 TEST(WorkRows, OfFailedRunsKeepTheirStatusAndHaveNoError) {
@@ -44,7 +56,7 @@ TEST(WorkRows, OfFailedRunsKeepTheirStatusAndHaveNoError) {
   for (const RowStatus status : {RowStatus::Unstable, RowStatus::NotFinite, RowStatus::TooSlow}) {
     row.status = status;
     const std::string csv = workCsv({row});
-    EXPECT_NE(csv.find("," + std::string(nameOf(status)) + "\n"), std::string::npos);
+    EXPECT_NE(csv.find("," + std::string(nameOf(status)) + ",cpu\n"), std::string::npos);
     const WorkRow read = parseWorkCsv(csv, "rows.csv").at(0);
     EXPECT_EQ(read.status, status);
     EXPECT_TRUE(std::isnan(read.rmsError));

@@ -1,9 +1,13 @@
 // The ghost's panel without a window: what it draws on the cloth, what it says, and what its widgets do.
 #include <imgui_internal.h>
 
+#include <chrono>
 #include <string>
+#include <thread>
 
+#include "files.h"
 #include "ui/panels_fixture.h"
+#include "util/csv.h"
 
 namespace tyg {
 namespace {
@@ -104,6 +108,38 @@ TEST_F(GhostPanelTest, TheGhostSaysWhereTheColoursAreThoseOfAnotherPanel) {
   panels_.toggle(InputAction::OpenStretch);
   frames();
   EXPECT_TRUE(says(words(), "another panel"));
+}
+
+TEST_F(GhostPanelTest, AMotionThatIsOpenedOpensThePanelWithItsVerdictAndIsDrawn) {
+  const Folder folder;
+  Scene scene = viewer_.scenes().scene();
+  Simulation program(scene, findMethod(scene.integrator), {.threads = 1});
+  std::string rows = csvLine("t", "particle", "x", "y", "z");
+  for (int k = 0; k <= 10; ++k) {
+    for (int particle = 0; particle < program.sheet().count(); ++particle) {
+      const Vec3 at = program.position(particle);
+      rows += csvLine(program.time(), particle, at.x, at.y, at.z);
+    }
+    program.tick(5);
+  }
+  viewer_.handle({.kind = Kind::Drop, .path = folder.write("mine.csv", rows).string()});
+  frames();
+  ASSERT_TRUE(panels_.isOpen(InputAction::OpenGhost)) << viewer_.notes().text();
+  EXPECT_TRUE(says(wordsOfFirst(), "checking:"));
+  for (int turn = 0; turn < 60000 && viewer_.review().check().stage == CheckProgress::Stage::Running; ++turn) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  frames();
+  EXPECT_TRUE(says(wordsOfFirst(), "Right: your positions")) << wordsOfFirst();
+  const auto drawn = [this] {
+    ClothPicture picture{.options = viewer_.view().drawOptions()};
+    panels_.paint(picture);
+    return picture.ghost.size();
+  };
+  EXPECT_EQ(drawn(), 3U * 400);
+  viewer_.scenes().use(loadScene("four-particles", methodNames()));
+  frames();
+  EXPECT_EQ(drawn(), 3U * 4) << "another sheet has the true motion as its ghost again";
 }
 
 }  // namespace

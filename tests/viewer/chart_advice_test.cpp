@@ -34,7 +34,9 @@ TEST(ChartAdvice, TellsWhatIsCheaperAndWhatIsCloser) {
   const std::vector<WorkRow> rows{row("rk4", 0.002, 1e-5, 0.02), row("leapfrog", 0.002, 1e-5, 0.005),
                                   row("rk4", 0.0025, 1e-7, 0.02)};
   const ChartAdvice advice = adviceOn(rows, {&findMethod("rk4"), 0.002, 0}, kScale);
-  EXPECT_TRUE(says(advice.better, "Faster and at least as accurate: leapfrog, step 2 ms, at 2.5 ms, 4.0 times faster."))
+  EXPECT_TRUE(says(advice.better,
+                   "Faster and at least as accurate: leapfrog, step 2 ms, at 2.5 ms of computing per simulated second, "
+                   "4.0 times faster."))
       << advice.better;
   EXPECT_TRUE(
       says(advice.better, "More accurate at no greater cost: rk4, step 2.5 ms, error 0.0001 mm, 100 times smaller."))

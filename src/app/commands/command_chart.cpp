@@ -3,11 +3,13 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <utility>
 
 #include <fmt/core.h>
 
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
+#include "app/commands/device_options.h"
 #include "app/commands/option_checks.h"
 #include "app/output/drawn_files.h"
 #include "app/output/exit_code.h"
@@ -33,6 +35,7 @@ constexpr double kRunBudget = 1, kQuickRunBudget = 0.1;  // s
 
 struct ChartOptions {
   SceneOptions scene;
+  DeviceOptions device;
   std::string errorRange, sheets, compare, out = "out";
   std::optional<double> horizon;
   bool quick = false;
@@ -113,8 +116,8 @@ Earlier readEarlier(const Scene& scene, const std::string& path) {
 /// The parts of the work share one line of progress.
 class Charting {
  public:
-  Charting(const ChartOptions& options, const Scene& scene)
-      : options_(options), scene_(scene), progress_("tyg chart " + scene.name) {
+  Charting(const ChartOptions& options, const Scene& scene, std::shared_ptr<Device> device)
+      : options_(options), scene_(scene), device_(std::move(device)), progress_("tyg chart " + scene.name) {
     threads_ = options.scene.threads.value_or(defaultThreads(scene.columns * scene.rows));
   }
 
@@ -138,7 +141,9 @@ class Charting {
     plan.lowestError = range ? range->lowest * reference.size : 0;
     if (options_.quick) plan.fewestRepeats = 2, plan.repeatSeconds = 0.03, plan.roundsBudget = 5;
     plan.threads = threads_;
-    plan.clock = [threads = threads_] { return calibrationClock(threads); };
+    plan.device = device_;
+    // A card works beside this thread: only the clock knows how long.
+    plan.clock = [threads = device_ ? std::max(2, threads_) : threads_] { return calibrationClock(threads); };
     plan.observer = progress_.part(kReferencePart, 1);
     return workPrecision(scene_, reference, plan);
   }
@@ -152,10 +157,21 @@ class Charting {
 
   const ChartOptions& options_;
   Scene scene_;
+  std::shared_ptr<Device> device_;  // null: the processor
   std::string tears_;
   int threads_ = 1;
   Progress progress_;
 };
+
+/// The card, compared with the processor on a method that it knows: a chart is of several.
+ChosenDevice deviceForTimings(const DeviceOptions& options, Scene scene) {
+  scene.precision = Precision::Float;
+  scene.integrator = "leapfrog";
+  ChosenDevice chosen = chosenDevice(options, scene, 1, "tyg chart");
+  if (chosen.report.sameBits) return chosen;
+  std::cerr << "tyg chart: errors would not be the card's, so the processor takes all runs" << std::endl;
+  return {};
+}
 
 int sayNoReference(const Reference& reference) {
   std::cerr << "tyg chart: no reference for this scene: " << reference.whyUnusable()
@@ -192,8 +208,9 @@ int chart(const ChartOptions& options) {
                                        "sheets.csv", "compare.csv", "past_horizon.csv"};
   fs::path folder = preparedFolder(options.out, files);
 
+  const ChosenDevice device = deviceForTimings(options.device, scene);
   const InterruptWatch watch;
-  auto charting = std::make_unique<Charting>(options, scene);
+  auto charting = std::make_unique<Charting>(options, scene, device.device);
   const Reference reference = charting->reference();
   if (reference.stopped || !reference.usable()) charting.reset();  // wipes the progress line
   if (reference.stopped) return sayInterrupted("tyg chart");
@@ -207,6 +224,7 @@ int chart(const ChartOptions& options) {
   for (const std::string& refusal : study.refusals) std::cerr << "\ntyg chart: left out: " << refusal << std::endl;
 
   WorkChart drawn = chartOf(reference, study, *charting);
+  if (device.device) drawn.notes.push_back("in float, where the card takes it: " + sentenceOn(device.report));
   charting.reset();
   const bool stopped = interrupted();
   drawn.range = range;
@@ -246,6 +264,7 @@ void addChartCommand(CLI::App& app, Action& action) {
   Command command(app, "chart", "Speed against accuracy: every method's error and cost on one chart");
   const auto options = std::make_shared<ChartOptions>();
   addSceneOptions(command, options->scene, MethodCount::Several, "all");
+  addDeviceOption(command, options->device);
   command
       .option("--error-range", options->errorRange,
               "Draw only errors between these shares of the sheet's size, and stop below them [all errors]")

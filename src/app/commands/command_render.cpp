@@ -6,6 +6,7 @@
 
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
+#include "app/commands/device_options.h"
 #include "app/commands/option_checks.h"
 #include "app/output/render.h"
 #include "study/motion/telling_moment.h"
@@ -19,6 +20,7 @@ constexpr int kMostPixels = 16384;
 
 struct RenderOptions {
   SceneOptions scene;
+  DeviceOptions device;
   std::optional<double> at;
   FrameOptions frames;
   std::string size = "1280x720";
@@ -61,7 +63,8 @@ std::vector<double> chosenTimes(const Scene& scene, const RenderOptions& options
 }
 
 int renderChosen(const RenderOptions& options) {
-  const Scene scene = chosenScene(options.scene);
+  Scene scene = chosenScene(options.scene);
+  takeFloatOnCard(scene, options.device, options.scene.precision.has_value());
   RenderRequest request;
   request.show = chosenShow(options.look, scene);
   request.times = chosenTimes(scene, options);
@@ -71,6 +74,7 @@ int renderChosen(const RenderOptions& options) {
   request.out = options.out.value_or(fileStem(scene.name) + (request.times.size() > 1 ? "" : ".png"));
   request.draw.background = options.light ? Background::Light : Background::Dark;
   request.threads = options.scene.threads.value_or(0);
+  request.device = chosenDevice(options.device, scene, request.threads, "tyg render").device;
   return render(scene, request);
 }
 
@@ -80,6 +84,7 @@ void addRenderCommand(CLI::App& app, Action& action) {
   Command command(app, "render", "Draw a picture, a sequence or a movie, without a display");
   const auto options = std::make_shared<RenderOptions>();
   addSceneOptions(command, options->scene);
+  addDeviceOption(command, options->device);
   const auto time = [](const std::string& text) { return parseTime("--at", text, Zero::Allowed); };
   command.amount("--at", options->at, time, "One picture at this simulated time").typeName("TIME");
   addFrameOptions(command, options->frames, {"pictures", "Pictures", RenderRequest{}.fps});

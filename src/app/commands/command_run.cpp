@@ -7,6 +7,7 @@
 
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
+#include "app/commands/device_options.h"
 #include "app/commands/option_checks.h"
 #include "app/output/exit_code.h"
 #include "app/output/progress.h"
@@ -23,6 +24,7 @@ namespace {
 
 struct RunOptions {
   SceneOptions scene;
+  DeviceOptions device;
   int samples = 20;
   std::optional<std::string> out, replay;
   bool ledger = false, keepGoing = false, json = false, verbose = false;
@@ -95,9 +97,9 @@ Scene fitted(Scene scene, const SceneOptions& options, const EventLog& log) {
 /// A simulation being run, and the clock that runs only while it steps.
 class Run {
  public:
-  Run(const Scene& scene, const RunOptions& options)
+  Run(const Scene& scene, const RunOptions& options, const std::shared_ptr<Device>& device)
       : options_(options),
-        simulation_(scene, findMethod(scene.integrator), settingsOf(options)),
+        simulation_(scene, findMethod(scene.integrator), settingsOf(options, device)),
         progress_("tyg run " + scene.name) {
     const Ledger start = simulation_.ledger();
     startEnergy_ = start.mechanical() - start.work.sum();
@@ -130,8 +132,11 @@ class Run {
   [[nodiscard]] double startEnergy() const { return startEnergy_; }
 
  private:
-  static Settings settingsOf(const RunOptions& options) {
-    return {.threads = options.scene.threads.value_or(0), .ledger = options.ledger, .keepGoing = options.keepGoing};
+  static Settings settingsOf(const RunOptions& options, const std::shared_ptr<Device>& device) {
+    return {.threads = options.scene.threads.value_or(0),
+            .ledger = options.ledger,
+            .keepGoing = options.keepGoing,
+            .device = device};
   }
   [[nodiscard]] double fractionDone() const {
     if (replayedTicks_ > 0) return double(simulation_.ticks()) / double(replayedTicks_);
@@ -155,7 +160,7 @@ class Run {
 };
 
 /// Says how the run ended, on standard output for the result and standard error for what went wrong.
-int report(Run& run, const RunOptions& options, const EventLog* log) {
+int report(Run& run, const RunOptions& options, const DeviceReport& device, const EventLog* log) {
   Simulation& simulation = run.simulation();
   const FinishedRun finished{simulation,
                              simulation.ledger(),
@@ -163,7 +168,8 @@ int report(Run& run, const RunOptions& options, const EventLog* log) {
                              run.seconds(),
                              restLatticeLimit(simulation.scene(), simulation.method()),
                              run.startEnergy(),
-                             log != nullptr};
+                             log != nullptr,
+                             device};
   std::cout << (options.json ? runJson(finished) + "\n" : runSummary(finished)) << std::flush;
   if (run.failed()) {
     std::cerr << "tyg run: " << failureAdvice(finished) << std::endl;
@@ -183,10 +189,12 @@ int run(const RunOptions& options) {
   const bool fromLog = options.scene.scene.empty();  // there is one then
   Scene scene = fromLog ? overridden(loggedScene(*log, methodNames()), options.scene) : chosenScene(options.scene);
   if (log) scene = fitted(std::move(scene), options.scene, *log);
+  takeFloatOnCard(scene, options.device, options.scene.precision || log);
   std::optional<SampleFile> file;
   if (options.out) file.emplace(*options.out);
 
-  auto run = std::make_unique<Run>(scene, options);
+  const ChosenDevice chosen = chosenDevice(options.device, scene, options.scene.threads.value_or(0), "tyg run");
+  auto run = std::make_unique<Run>(scene, options, chosen.device);
   if (options.verbose) std::cerr << runPlan(run->simulation());
   if (log) {
     run->replay(*log);
@@ -198,7 +206,7 @@ int run(const RunOptions& options) {
                           fmt::format("it was at t = {:g} s; nothing was written", run->simulation().time()));
   }
   if (file && !run->failed()) file->keep();
-  return report(*run, options, log ? &*log : nullptr);
+  return report(*run, options, chosen.report, log ? &*log : nullptr);
 }
 
 }  // namespace
@@ -207,6 +215,7 @@ void addRunCommand(CLI::App& app, Action& action) {
   Command command(app, "run", "Simulate a scene without a window, and report energies, steps and time");
   const auto options = std::make_shared<RunOptions>();
   addSceneOptions(command, options->scene);
+  addDeviceOption(command, options->device);
   const CommandOption scene = command.find("SCENE");
   constexpr int kMostSamples = 1000000;
   CommandOption samples = command.option("--samples", options->samples,

@@ -8,6 +8,7 @@
 
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
+#include "app/commands/device_options.h"
 #include "app/commands/option_checks.h"
 #include "app/output/exit_code.h"
 #include "app/output/render.h"
@@ -33,6 +34,7 @@ std::string checkSize(const std::string& text) {
 
 struct ViewOptions {
   SceneOptions scene;
+  DeviceOptions device;
   std::string window = "glfw";
   std::optional<double> uiScale;
   std::optional<std::string> size, log, record;
@@ -75,6 +77,7 @@ int renderWithoutWindow(const ViewOptions& options, const Scene& scene, const No
   like.size = {width, height};
   like.draw.background = options.light ? Background::Light : Background::Dark;
   like.threads = options.scene.threads.value_or(0);
+  like.device = chosenDevice(options.device, scene, like.threads, "tyg view").device;
   like.show = chosenShow(options.look, scene);
   return renderInstead(scene, like);
 }
@@ -87,7 +90,11 @@ int sayNoWindow(const std::runtime_error& why) {
 
 int show(const ViewOptions& options, const Scene& scene, const std::string& said, OpeningWindow& opening,
          WindowMemory& memory) {
-  Viewer viewer(scene, Settings{.threads = options.scene.threads.value_or(0)}, wallClock);
+  const int threads = options.scene.threads.value_or(0);
+  const ChosenDevice chosen = chosenDevice(options.device, scene, threads, "tyg view");
+  Viewer viewer(scene, Settings{.threads = threads, .device = chosen.device}, wallClock);
+  viewer.scenes().offerCard([threads](const Scene& moved) { return offeredCard(moved, threads); });
+  if (chosen.device) viewer.notes().say(sentenceOn(chosen.report));
   if (options.light) viewer.perform(InputAction::ChangeBackground);
   if (const auto show = chosenShow(options.look, scene)) viewer.show(*show);
   if (!said.empty()) viewer.notes().warn(said);
@@ -123,6 +130,7 @@ int show(const ViewOptions& options, const Scene& scene, const std::string& said
 
 int view(const ViewOptions& options) {
   Scene scene = chosenScene(options.scene);
+  takeFloatOnCard(scene, options.device, options.scene.precision.has_value());
   (void)chosenShow(options.look, scene);  // refuses a picture that cannot be read before a window opens
   // A scene's own step is for its own sheet. One that was asked for is taken, and the window tells its limit.
   const std::string said = options.scene.sheet && !options.scene.dt ? takeStepThatHolds(scene) : "";
@@ -152,6 +160,7 @@ void addViewCommand(CLI::App& app, Action& action) {
   Command command(app, "view", "The window: space starts and pauses, a left click pushes the cloth, F1 shows all keys");
   auto options = std::make_shared<ViewOptions>();
   addSceneOptions(command, options->scene);
+  addDeviceOption(command, options->device);
   command.option("--window", options->window, "Library that opens the window [glfw]")
       .check([](const std::string& text) {
         return checkOneOf(text, {"glfw", "glut"});

@@ -80,6 +80,7 @@ void addLimitCommand(CLI::App& app, Action& action);
 void addDietCommand(CLI::App& app, Action& action);
 void addAdviseCommand(CLI::App& app, Action& action);
 void addCheckCommand(CLI::App& app, Action& action);
+void addReferenceCommand(CLI::App& app, Action& action);
 void addListCommand(CLI::App& app, Action& action);
 
 }  // namespace tyg

@@ -118,14 +118,17 @@ Scene overridden(Scene scene, const SceneOptions& options) {
 }
 
 std::vector<const Method*> chosenMethods(const SceneOptions& options, const std::string& usual) {
+  constexpr const char* kOption = "--integrator or --methods";
   const std::string names = options.integrator.value_or(usual);
   std::vector<const Method*> chosen;
   for (const std::string& name : splitList(names)) {
-    const Method* method = &findMethod(name, "--integrator");
+    const Method* method = &findMethod(name, kOption);
     if (std::ranges::find(chosen, method) == chosen.end()) chosen.push_back(method);
   }
   if (!chosen.empty()) return chosen;
-  if (!names.empty()) throw InputError("--integrator: found no name, allowed are methods' names with commas between");
+  if (!names.empty()) {
+    throw InputError(fmt::format("{}: found no name, allowed are methods' names with commas between", kOption));
+  }
   for (const Method& method : methods()) chosen.push_back(&method);
   return chosen;
 }

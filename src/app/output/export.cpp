@@ -39,7 +39,7 @@ class Pass {
   /// `show`: as Progress::part().
   Pass(const Scene& scene, const ExportRequest& request, const std::function<bool(double)>& show)
       : times_(request.times),
-        moving_(scene, request.threads, [this, show](double now) { return show(now / times_.back()); }) {}
+        moving_(scene, {.threads = request.threads}, [this, show](double now) { return show(now / times_.back()); }) {}
 
   /// False where the scene cannot go on.
   template <class See>

@@ -20,8 +20,8 @@ std::vector<double> frameTimes(double from, double to, double fps) {
   return times;
 }
 
-MovingScene::MovingScene(const Scene& scene, int threads, const std::function<bool(double)>& progress)
-    : simulation_(scene, findMethod(scene.integrator), Settings{.threads = threads}),
+MovingScene::MovingScene(const Scene& scene, const Settings& settings, const std::function<bool(double)>& progress)
+    : simulation_(scene, findMethod(scene.integrator), settings),
       xyz_(3 * static_cast<std::size_t>(simulation_.sheet().count())) {
   simulation_.observe([this, progress] { return progress(simulation_.time()); });
   simulation_.copyPositions(xyz_);

@@ -19,7 +19,7 @@ std::vector<double> frameTimes(double from, double to, double fps);
 class MovingScene {
  public:
   /// `progress` gets the time that is reached, s, and stops the simulation where it returns false. Throws InputError.
-  MovingScene(const Scene& scene, int threads, const std::function<bool(double)>& progress);
+  MovingScene(const Scene& scene, const Settings& settings, const std::function<bool(double)>& progress);
 
   /// Goes on to this time, s, which is met exactly. False when the cloth is lost or somebody said stop.
   bool reach(double time);

@@ -47,6 +47,8 @@ Form formOf(const fs::path& out) {
   return ending == ".png" ? Form::Picture : ending == ".mp4" || ending == ".gif" ? Form::Movie : Form::Folder;
 }
 
+Settings settingsOf(const RenderRequest& request) { return {.threads = request.threads, .device = request.device}; }
+
 /// Gathers what a still view has to hold.
 class Framing {
  public:
@@ -163,7 +165,8 @@ void checkOutput(const RenderRequest& request) {
 int renderPicture(const Scene& scene, const RenderRequest& request) {
   const double time = request.times.front();
   Progress progress("tyg render " + scene.name);
-  MovingScene motion(scene, request.threads, [&](double now) { return progress.show(now / std::max(time, scene.dt)); });
+  MovingScene motion(scene, settingsOf(request),
+                     [&](double now) { return progress.show(now / std::max(time, scene.dt)); });
   Studio studio = openStudio(motion.simulation(), request);
   if (!motion.reach(time)) return sayStopped(kCommand, motion.simulation(), progress);
   Framing framing;
@@ -177,7 +180,7 @@ int renderSequence(const Scene& scene, const RenderRequest& request) {
   const double end = request.times.back();
   Progress progress("tyg render " + scene.name);
   constexpr double kFirstShare = 0.2;  // of the time that both passes take: drawing is the slower part
-  MovingScene scout(scene, request.threads, [&](double now) { return progress.show(kFirstShare * now / end); });
+  MovingScene scout(scene, settingsOf(request), [&](double now) { return progress.show(kFirstShare * now / end); });
   Studio studio = openStudio(scout.simulation(), request);
   Framing framing;
   for (const double time : request.times) {
@@ -189,7 +192,7 @@ int renderSequence(const Scene& scene, const RenderRequest& request) {
   const bool isMovie = formOf(request.out) == Form::Movie;
   std::optional<Movie> movie;
   if (isMovie) movie.emplace(request.out, MovieForm{request.size.x, request.size.y, request.fps}, interrupted);
-  MovingScene motion(scene, request.threads, [](double) { return !interrupted(); });
+  MovingScene motion(scene, settingsOf(request), [](double) { return !interrupted(); });
   for (std::size_t frame = 0; frame < request.times.size(); ++frame) {
     if (!motion.reach(request.times[frame])) return sayStopped(kCommand, motion.simulation(), progress);
     const Picture& picture = studio.draw(motion, camera);

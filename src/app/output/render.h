@@ -3,11 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "gfx/passes/sheet_renderer.h"
-#include "tyg/scene.h"
+#include "tyg/simulation.h"
 
 namespace tyg {
 
@@ -18,8 +19,9 @@ struct RenderRequest {
   glm::ivec2 size{1280, 720};  ///< pixels; a movie's are rounded up to even numbers
   std::filesystem::path out;   ///< one time: FILE.png; several: FILE.mp4, FILE.gif, else a folder for PNGs
   DrawOptions draw;
-  std::optional<Show> show;  ///< of the cloth; nothing: as the scene has it
-  int threads = 0;           ///< as Settings::threads
+  std::optional<Show> show;          ///< of the cloth; nothing: as the scene has it
+  int threads = 0;                   ///< as Settings::threads
+  std::shared_ptr<Device> device{};  ///< as Settings::device
 };
 
 /// Checks the output, simulates, draws, writes, and names the files on standard output. One view that holds the whole

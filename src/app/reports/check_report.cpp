@@ -16,7 +16,19 @@
 namespace tyg {
 namespace {
 
-std::string metres(double distance) { return distance >= 1 ? lengthText(distance) : fmt::format("{:.2g} m", distance); }
+std::string metres(double distance) {
+  if (std::isinf(distance)) return "infinite";
+  return distance >= 1 ? lengthText(distance) : fmt::format("{:.2g} m", distance);
+}
+
+std::string shareText(double share) {
+  constexpr double kBeyondReading = 1e6;
+  const double percent = 100 * share;
+  if (!std::isfinite(percent)) return "";
+  const std::string number =
+      percent >= 10 && percent < kBeyondReading ? fmt::format("{:.0f}", percent) : fmt::format("{:.2g}", percent);
+  return ", " + number + " % of the sheet's size";
+}
 
 /// The floor of the sheet at the sample of the reference that is the next after a time, m.
 double floorAt(const MotionCheck& check, double time) {
@@ -58,9 +70,7 @@ std::string horizonLine(const MotionCheck& check) {
 std::string checkTable(const CheckReport& report) {
   const MotionCheck& check = report.check;
   std::string text = paragraph(verdictWords(check)) + "\n" + errorTable(report) + "\n";
-  const double percent = 100 * check.error / check.size;
-  text += fmt::format("error E          {}, {} % of the sheet's size\n", metres(check.error),
-                      percent >= 10 ? fmt::format("{:.0f}", percent) : fmt::format("{:.2g}", percent));
+  text += fmt::format("error E          {}{}\n", metres(check.error), shareText(check.error / check.size));
   if (const Explanation* of = check.explanation()) {
     text += fmt::format("nearest method   {}, {} away\n", methodText(*of),
                         metres(check.mistaken ? check.withoutMistake : of->distance));

@@ -34,6 +34,7 @@ std::string withAnd(const std::vector<std::string>& words) {
 std::string setBy(const LimitOfMethod& of) {
   if (std::isnan(of.limit.predicted)) return of.method->whyNoLimit.empty() ? "nothing" : "nothing: stable at any step";
   if (of.limit.predicted == 0) return "a lack of damping";
+  if (of.springs.empty()) return "drag on the particles";
   return fmt::format("{} of {} springs", causeOf(of.limit), withAnd(of.springs));
 }
 
@@ -104,9 +105,10 @@ bool LimitReport::holds() const { return std::ranges::all_of(methods, &LimitOfMe
 LimitOfMethod limitOf(const Scene& scene, const Method& method, std::optional<double> dt) {
   LimitOfMethod of{.method = &method,
                    .limit = stepLimit(scene, method),
-                   .springs = springsThatLimit(scene, method),
+                   .springs = {},
                    .holds = !dt || holdsAtRest(scene, method, *dt),
                    .changes = {}};
+  of.springs = springsThatLimit(scene, method, of.limit.byDamping);
   if (!of.holds) of.changes = changesThatHold(scene, method, *dt);
   return of;
 }

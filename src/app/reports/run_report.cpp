@@ -179,6 +179,10 @@ std::string runJson(const FinishedRun& run) {
       {"integrator", simulation.method().name},
       {"precision", nameOf(scene.precision)},
       {"threads", simulation.threads()},
+      {"device", run.device.device},
+      {"device_name", run.device.name},
+      {"same_bits", run.device.sameBits},
+      {"stray_m", run.device.strays},
       {"dt_asked", simulation.dt()},
       {"dt", simulation.largestStep()},
       {"steps", simulation.steps()},
@@ -219,6 +223,8 @@ std::string runSummary(const FinishedRun& run) {
     text += fmt::format(": {:.3g} times real time, {:.3g} ns per particle and force evaluation",
                         simulation.time() / run.seconds, 1e9 * run.seconds / evaluations / simulation.sheet().count());
   }
+  const std::string device = sentenceOn(run.device);
+  if (!device.empty()) text += "\ndevice        " + device;
   return text + fmt::format("\n{}{}\n{}{}hash          {}\nstatus        {}\n", energyLines(run), stableStepLine(run),
                             contactRemark(run), roundingRemark(run), hashText(simulation), nameOf(simulation.status()));
 }

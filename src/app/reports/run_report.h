@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "app/reports/device_report.h"
 #include "tyg/simulation.h"
 
 namespace tyg {
@@ -19,6 +20,7 @@ struct FinishedRun {
   /// K + E + G - W at the start, J; NaN where it is not known.
   double startEnergy = std::numeric_limits<double>::quiet_NaN();
   bool replayed = false;  ///< did a log's events act on it, which no other run can try?
+  DeviceReport device{};  ///< what moved the cloth
 };
 
 /// One JSON object; its keys and their order are what scripts rely on.

@@ -223,6 +223,11 @@ void Forces<T>::addPush(int particle, const Vec3& force) {
 }
 
 template <class T>
+std::span<const PushedParticle<T>> Forces<T>::pushes() const {
+  return kernel_->pushes;
+}
+
+template <class T>
 void Forces<T>::clearPushes() {
   kernel_->pushes.clear();
   kernel_->task.firstPush = kernel_->task.endPush = nullptr;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/forces/acting.h"
@@ -16,6 +17,8 @@ namespace tyg {
 
 class Workers;
 enum class Update;
+template <class T>
+struct PushedParticle;
 
 /// The forces of a scene in newtons. Pinned particles feel exactly 0.
 template <class T>
@@ -78,6 +81,17 @@ class Forces {
   void addPush(int particle, const Vec3& force);
   void clearPushes();
 
+  // For devices, which compute the same forces elsewhere:
+  /// All pushes that act, by row and column; those on one particle in the order in which they are added.
+  [[nodiscard]] std::span<const PushedParticle<T>> pushes() const;
+  /// See movePins().
+  [[nodiscard]] std::span<const int> movingPins() const { return movingPins_; }
+  /// An evaluation has been done elsewhere, in which this was the power.
+  void countEvaluation(const Power& power) {
+    ++account_.evaluations;
+    account_.power = power;
+  }
+
   /// Energies of this state at this time (s). Sums run row by row in one fixed order.
   [[nodiscard]] StoredEnergy energy(double time, const State<T>& state) const;
   /// What damping takes from the cloth and terms bring to it at this time, these positions and velocities, W. Pins are
@@ -86,6 +100,7 @@ class Forces {
 
   /// With `on`, every evaluation also works out the power of damping and of terms.
   void trackDissipation(bool on) { trackDissipation_ = on; }
+  [[nodiscard]] bool tracksDissipation() const { return trackDissipation_; }
   /// The power of the last evaluation counts for `seconds` in its integral. Methods call it with their own quadrature
   /// weights, so that the ledger closes to the method's own order.
   void addPower(double seconds) { account_.energy.add(account_.power, seconds); }

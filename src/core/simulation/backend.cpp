@@ -6,8 +6,10 @@
 #include <cmath>
 #include <optional>
 
+#include "core/simulation/device.h"
 #include "core/simulation/integrator.h"
 #include "core/spectrum/live_spectrum.h"
+#include "tyg/input_error.h"
 #include "util/workers.h"
 
 namespace tyg {
@@ -24,20 +26,31 @@ State<T> displacedStart(const Scene& scene, const Sheet& sheet) {
   return state;
 }
 
+/// `device` may be null, which is the processor.
+template <class T>
+std::unique_ptr<Integrator<T>> makeIntegrator(Device* device, const Method& method, const Scene& scene,
+                                              const Sheet& sheet) {
+  if constexpr (std::is_same_v<T, float>) {
+    if (device != nullptr) return device->make(method, scene, sheet);
+  }
+  return method.make<T>(scene, sheet);
+}
+
 template <class T>
 class BackendOf final : public Backend {
  public:
-  BackendOf(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers, bool trackDissipation)
+  BackendOf(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers, const Settings& settings)
       : scene_(scene),
         sheet_(sheet),
         state_(displacedStart<T>(scene, sheet)),
         workers_(workers),
         forces_(scene, sheet, workers),
-        integrator_(method.make<T>(scene, sheet)) {
-    forces_.trackDissipation(trackDissipation);
+        device_(settings.device.get()),
+        integrator_(makeIntegrator<T>(device_, method, scene, sheet)) {
+    forces_.trackDissipation(settings.ledger);
   }
 
-  void useMethod(const Method& method) override { integrator_ = method.make<T>(scene_, sheet_); }
+  void useMethod(const Method& method) override { integrator_ = makeIntegrator<T>(device_, method, scene_, sheet_); }
   void useSheet(const Method& method) override {
     forces_.useSheet(sheet_);
     useMethod(method);
@@ -161,6 +174,7 @@ class BackendOf final : public Backend {
   State<T> state_;
   Workers& workers_;
   Forces<T> forces_;
+  Device* device_;  // null: the processor
   std::unique_ptr<Integrator<T>> integrator_;
   std::optional<LiveSpectrum<T>> spectrum_;  // with forces of its own: neither counts nor bits of the motion change
 };
@@ -168,11 +182,12 @@ class BackendOf final : public Backend {
 }  // namespace
 
 std::unique_ptr<Backend> makeBackend(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers,
-                                     bool trackDissipation) {
+                                     const Settings& settings) {
   if (scene.precision == Precision::Float) {
-    return std::make_unique<BackendOf<float>>(scene, sheet, method, workers, trackDissipation);
+    return std::make_unique<BackendOf<float>>(scene, sheet, method, workers, settings);
   }
-  return std::make_unique<BackendOf<double>>(scene, sheet, method, workers, trackDissipation);
+  if (settings.device) throw InputError("precision: found double, allowed on the graphics card is float");
+  return std::make_unique<BackendOf<double>>(scene, sheet, method, workers, settings);
 }
 
 }  // namespace tyg

@@ -9,6 +9,7 @@
 #include "core/forces/forces.h"
 #include "tyg/method.h"
 #include "tyg/scene.h"
+#include "tyg/simulation.h"
 
 namespace tyg {
 
@@ -65,8 +66,9 @@ class Backend {
   virtual void restore(const Checkpoint& saved) = 0;
 };
 
-/// A scene from its displaced start shape. The references must outlive it.
+/// A scene from its displaced start shape. The references must outlive it. Throws InputError where the method, or the
+/// device that the settings name, does not take the scene.
 std::unique_ptr<Backend> makeBackend(const Scene& scene, const Sheet& sheet, const Method& method, Workers& workers,
-                                     bool trackDissipation);
+                                     const Settings& settings);
 
 }  // namespace tyg

@@ -45,7 +45,6 @@ Ledger EnergyWatch::ledger(const EnergySample& sample) {
 
 void EnergyWatch::followLedger(bool on, const EnergySample& sample) {
   if (followsLedger_ == on) return;
-  check(sample);
   startSum_ = sum(sample);
   followsLedger_ = on;
 }

@@ -40,7 +40,7 @@ Simulation::Impl::Impl(Scene wanted, const Method& method, const Settings& asked
       sheet(makeSheet(scene)),
       settings(asked),
       workers(asked.threads > 0 ? asked.threads : defaultThreads(sheet.count())),
-      backend(makeBackend(scene, sheet, method, workers, asked.ledger)),
+      backend(makeBackend(scene, sheet, method, workers, settings)),
       run(scene, sheet, method, backend->energy(0), asked.ledger),
       timetable(scene),
       addsUpPower(asked.ledger) {
@@ -148,6 +148,7 @@ double Simulation::largestSpeed() const { return impl_->run.largestSpeed; }
 std::int64_t Simulation::steps() const { return impl_->run.steps; }
 std::int64_t Simulation::forceEvaluations() const { return impl_->backend->evaluations(); }
 int Simulation::threads() const { return impl_->workers.threads(); }
+bool Simulation::onDevice() const { return impl_->settings.device != nullptr; }
 const Scene& Simulation::scene() const { return impl_->scene; }
 const Scene& Simulation::startScene() const { return impl_->startScene; }
 const Sheet& Simulation::sheet() const { return impl_->sheet; }
@@ -160,6 +161,12 @@ Vec3 Simulation::velocity(int particle) const { return impl_->backend->velocity(
 void Simulation::copyPositions(std::span<float> xyz) const { impl_->backend->copyPositions(xyz); }
 std::uint64_t Simulation::hash() const { return impl_->sheet.missing.mixedInto(impl_->backend->hash()); }
 Ledger Simulation::ledger() { return impl_->run.energies.ledger(impl_->sample()); }
+Glance Simulation::glance() const {
+  EnergyWatch energies = impl_->run.energies;
+  Glance glance{.ledger = energies.ledger(impl_->sample())};
+  glance.status = energies.status();
+  return glance;
+}
 double Simulation::liveStableStep() { return impl_->backend->liveStableStep(method(), time()); }
 Status Simulation::check() {
   impl_->checkEnergies();

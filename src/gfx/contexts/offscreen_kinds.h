@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "gfx/contexts/compute_context.h"
 #include "gfx/contexts/offscreen.h"
 
 namespace tyg {
@@ -12,7 +13,11 @@ std::unique_ptr<Offscreen> makeEglOffscreen(int width, int height);
 std::unique_ptr<Offscreen> makeWglOffscreen(int width, int height);
 #ifdef TYG_HAVE_OSMESA
 std::unique_ptr<Offscreen> makeOsMesaOffscreen(int width, int height);
+std::unique_ptr<ComputeContext> makeOsMesaComputeContext();
 #endif
+
+/// The version of OpenGL that programs need which compute.
+constexpr int kComputeMajor = 4, kComputeMinor = 3;
 
 /// Loads the OpenGL functions through `find`. Throws where they are not those of OpenGL 3.3 core.
 void loadOpenGl(void (*(*find)(const char* name))());

@@ -6,6 +6,7 @@
 
 #include <GL/osmesa.h>
 #include <dlfcn.h>
+#include <fmt/core.h>
 
 #include <stdexcept>
 #include <string>
@@ -45,10 +46,11 @@ const OsMesaLibrary& osMesa() {
   return library;
 }
 
-class OsMesaOffscreen final : public Offscreen {
+/// A context that is current while it lives, and the memory that it draws into.
+class OsMesaPixels {
  public:
-  OsMesaOffscreen(int width, int height)
-      : Offscreen(width, height), pixels_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+  OsMesaPixels(int width, int height, int major, int minor)
+      : pixels_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
     const int wanted[] = {OSMESA_FORMAT,
                           OSMESA_RGBA,
                           OSMESA_DEPTH_BITS,
@@ -56,29 +58,21 @@ class OsMesaOffscreen final : public Offscreen {
                           OSMESA_PROFILE,
                           OSMESA_CORE_PROFILE,
                           OSMESA_CONTEXT_MAJOR_VERSION,
-                          3,
+                          major,
                           OSMESA_CONTEXT_MINOR_VERSION,
-                          3,
+                          minor,
                           0};
     context_ = osMesa().createContext(wanted, nullptr);
     if (context_ == nullptr) {
-      throw std::runtime_error("it cannot make an OpenGL 3.3 core context");
+      throw std::runtime_error(fmt::format("it cannot make an OpenGL {}.{} core context", major, minor));
     }
-    try {
-      if (osMesa().makeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, width, height) == GL_FALSE) {
-        throw std::runtime_error("it cannot draw into a picture of this size");
-      }
-      loadOpenGl(osMesa().find);
-    } catch (...) {
-      release();
-      throw;
-    }
+    if (osMesa().makeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, width, height) == GL_TRUE) return;
+    release();
+    throw std::runtime_error("it cannot draw into a picture of this size");
   }
-  ~OsMesaOffscreen() override { release(); }
-  OsMesaOffscreen(const OsMesaOffscreen&) = delete;
-  OsMesaOffscreen& operator=(const OsMesaOffscreen&) = delete;
-
-  [[nodiscard]] OffscreenKind kind() const override { return OffscreenKind::OsMesa; }
+  ~OsMesaPixels() { release(); }
+  OsMesaPixels(const OsMesaPixels&) = delete;
+  OsMesaPixels& operator=(const OsMesaPixels&) = delete;
 
  private:
   // While it is current the context points into pixels_: it must go first, or a later EGL context crashes.
@@ -91,11 +85,32 @@ class OsMesaOffscreen final : public Offscreen {
   OSMesaContext context_ = nullptr;
 };
 
+class OsMesaOffscreen final : public Offscreen {
+ public:
+  OsMesaOffscreen(int width, int height) : Offscreen(width, height), context_(width, height, 3, 3) {
+    loadOpenGl(osMesa().find);
+  }
+  [[nodiscard]] OffscreenKind kind() const override { return OffscreenKind::OsMesa; }
+
+ private:
+  OsMesaPixels context_;
+};
+
+class OsMesaComputeContext final : public ComputeContext {
+ public:
+  [[nodiscard]] Find find() const override { return osMesa().find; }
+
+ private:
+  OsMesaPixels context_{1, 1, kComputeMajor, kComputeMinor};
+};
+
 }  // namespace
 
 std::unique_ptr<Offscreen> makeOsMesaOffscreen(int width, int height) {
   return std::make_unique<OsMesaOffscreen>(width, height);
 }
+
+std::unique_ptr<ComputeContext> makeOsMesaComputeContext() { return std::make_unique<OsMesaComputeContext>(); }
 
 }  // namespace tyg
 

@@ -100,7 +100,7 @@ void addLegend(const WorkChart& chart, double left, ChartScript& script) {
   const std::vector<std::string> horizons = horizonLines(chart.rows, chart.duration);
   for (const std::string& words : horizons) line("    " + words);
   if (!horizons.empty()) line("    past T* compare the energy's drift, below left, and past_horizon.csv");
-  entry(kPlus, 1.5, "#888888", "below the floor: may be rounding, not the method");
+  entry(kPlus, 1.5, "#888888", "below the floor, rounding dominates");
   script.point({at.x + 20, at.y}, kCross, 1.3, kInk);
   entry(6, 2.6, kInk, "failed");
   script.line(at, {at.x + 40, at.y}, {.colour = kInk, .width = 2.5, .head = true});

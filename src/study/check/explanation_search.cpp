@@ -3,10 +3,13 @@
 #include "study/check/explanation_search.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 
-#include "study/check/vectors.h"
 #include "study/motion/error.h"
 #include "tyg/methods.h"
 
@@ -17,45 +20,19 @@ constexpr double kSame = 1e-9;       // of the size: two programs that do the sa
 constexpr double kRounding = 1e-13;  // ... but for their rounding errors, of the size, times the amplification
 constexpr double kLost = 1e6;        // an amplification past which nothing can be told
 constexpr double kNear = kRounding * kLost * 10;  // of the size
-constexpr double kMoved = 0.01;                   // of the size: so far the sheet has moved by the first times
 constexpr double kMostEffort = 2e9;               // evaluations of one spring, a few ns each
 constexpr double kFar = 5;             // an accurate model so many times as far away as the truth explains nothing
 constexpr double kDearlyRanked = 3e7;  // so much a single run may cost that only gives an order
 constexpr std::size_t kMostToTheEnd = 10, kMostAimed = 50, kKept = 4;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// s: symplectic Euler is stable below, and Runge-Kutta 4 exact enough to tell mistakes apart. Each of the twelve
-/// springs of a particle adds at most twice its stiffness and its damping to the largest of all waves.
-double moderateStep(const Scene& scene) {
-  double stiffness = 0, damping = 0;
-  for (const SpringFamily& family : {scene.structural, scene.shear, scene.bend}) {
-    stiffness += 8 * family.ks, damping += 8 * family.kd;
-  }
-  const double w2 = stiffness / scene.particleMass, d = (damping + scene.drag) / scene.particleMass;
-  if (w2 == 0) return d == 0 ? kInfinity : 2 / d;
-  return (std::sqrt(d * d + 4 * w2) - d) / w2;
-}
-
-/// How many samples a try is run to at first: until the sheet has moved, and not more than a third of all.
-std::size_t firstSamples(const GivenMotion& motion, const Scene& scene, double size) {
-  const std::size_t least = motion.times.front() > 0 ? 1 : 2, all = motion.times.size();
-  std::vector<Vec3> start;
-  const Sheet sheet = makeSheet(scene);
-  start.reserve(std::size_t(sheet.count()));
-  for (int particle = 0; particle < sheet.count(); ++particle) start.push_back(sheet.startPosition(particle));
-  std::size_t first = std::min(all, least);
-  const auto moved = [&] { return distanceBetween(motion.positions[first - 1], start).rms; };
-  while (first < std::max(least, all / 3) && moved() < kMoved * size) ++first;
-  return std::min(first, all);
-}
-
 }  // namespace
 
 ExplanationSearch::ExplanationSearch(const Scene& scene, const GivenMotion& motion, std::optional<double> step,
-                                     std::function<bool(double)> goesOn)
-    : motion_(motion), goesOn_(std::move(goesOn)), size_(makeSheet(scene).size()) {
+                                     int threads, std::function<bool(double)> goesOn)
+    : motion_(motion), threads_(threads, std::move(goesOn)), size_(makeSheet(scene).size()) {
   plain_.scene = scene;
-  first_ = firstSamples(motion, scene, size_);
+  first_ = firstSamples(motion, scene);
   constexpr double kUsualCount = 400, kMostTimes = 8;
   most_ = kMostEffort * std::clamp(double(scene.columns) * scene.rows / kUsualCount, 1.0, kMostTimes);
   if (step) {
@@ -80,17 +57,39 @@ ExplanationSearch::ExplanationSearch(const Scene& scene, const GivenMotion& moti
 
 bool ExplanationSearch::spend(double cost) {
   spent_ += cost;
-  if (goesOn_ && !goesOn_(std::min(1.0, spent_ / most_))) stopped_ = true;
-  return !stopped_ && spent_ <= most_;
+  threads_.reach(std::min(1.0, spent_ / most_));
+  return threads_.goesOn() && !isOver();
 }
 
-double ExplanationSearch::distanceOf(const Trial& trial, std::size_t samples, double enough) {
+/// Runs tries ahead. Those that are begun after the effort has been spent are left out: what they come to would not be
+/// taken anyway, because those before them have spent at least as much by then.
+std::vector<ExplanationSearch::Run> ExplanationSearch::runAll(std::span<const Trial> trials, double enough) {
+  std::vector<Run> runs(trials.size(), {kInfinity, 0});
+  constexpr double kRoundingOfSums = 1e-9;
+  std::atomic<double> spent{spent_};
+  threads_.forEach(trials.size(), [&](std::size_t k) {
+    if (!threads_.goesOn() || spent > most_ * (1 + kRoundingOfSums)) return;
+    const Fit fit = fitOf(trials[k], motion_,
+                          {.samples = first_, .enough = enough, .goesOn = [this] { return threads_.goesOn(); }});
+    runs[k] = {fit.upTo(first_), fit.distances.size()};
+    if (!fit.distances.empty()) spent += costOf(trials[k], motion_, fit.distances.size());
+  });
+  return runs;
+}
+
+/// The distance of a try that has been run, as far as the effort reaches.
+double ExplanationSearch::accounted(const Trial& trial, const Run& run) {
   if (!spend(0)) return kInfinity;
-  const auto goesOn = [this] { return !goesOn_ || goesOn_(std::min(1.0, spent_ / most_)); };
-  const Fit fit = fitOf(trial, motion_, {.samples = samples, .enough = enough, .goesOn = goesOn});
-  stopped_ = stopped_ || fit.stopped;
-  if (!fit.distances.empty()) spend(costOf(trial, motion_, fit.distances.size()));
-  return fit.upTo(samples);
+  if (run.sampled > 0) spend(costOf(trial, motion_, run.sampled));
+  return run.distance;
+}
+
+void ExplanationSearch::tryAll(std::span<const Trial> trials, double enough, std::vector<Tried>& tried) {
+  const std::vector<Run> runs = runAll(trials, enough);
+  for (std::size_t k = 0; k < trials.size(); ++k) {
+    const double distance = accounted(trials[k], runs[k]);
+    if (std::isfinite(distance)) tried.push_back({trials[k], distance});
+  }
 }
 
 /// m: how far two programs that do the same may be apart where nothing is amplified.
@@ -119,31 +118,26 @@ std::optional<Trial> ExplanationSearch::accurate(const Model& model) const {
   return Trial{&model, way, best};
 }
 
-void ExplanationSearch::tryAll(const Model& model, Breadth breadth, const Steps& steps, double enough,
-                               std::vector<Tried>& tried) {
+std::vector<Trial> ExplanationSearch::trialsOf(const Model& model, Breadth breadth, const Steps& steps) const {
   constexpr double kDear = 1.5e8;
+  std::vector<Trial> trials;
   for (const double dt : steps) {
     for (const Way& way : waysOf(model, breadth)) {
       const Trial trial{&model, way, dt};
-      if (all_.size() > 1 && costOf(trial, motion_, first_) > kDear) continue;
-      const double distance = distanceOf(trial, first_, enough);
-      if (stopped_) return;
-      if (std::isfinite(distance)) tried.push_back({&model, trial, distance});
+      if (all_.size() == 1 || costOf(trial, motion_, first_) <= kDear) trials.push_back(trial);
     }
   }
+  return trials;
 }
 
 /// Runs a try to the end, with a twin where it drifts away by little.
-Explanation ExplanationSearch::judged(const Trial& trial) {
+ExplanationSearch::Judgement ExplanationSearch::judged(const Trial& trial) {
   const std::size_t all = motion_.times.size();
-  Explanation of{.model = *trial.model, .way = trial.way, .dt = trial.dt};
-  const double cost = costOf(trial, motion_, all);
-  const auto goesOn = [this] { return !goesOn_ || goesOn_(std::min(1.0, spent_ / most_)); };
+  Judgement judgement{.of = {.model = *trial.model, .way = trial.way, .dt = trial.dt}};
+  Explanation& of = judgement.of;
   const auto runs = [&](bool twin) {
-    spend(twin ? 2 * cost : cost);
-    Fit fit = fitOf(trial, motion_, {.samples = all, .twin = twin, .goesOn = goesOn});
-    stopped_ = stopped_ || fit.stopped;
-    return fit;
+    judgement.cost += (twin ? 2 : 1) * costOf(trial, motion_, all);
+    return fitOf(trial, motion_, {.samples = all, .twin = twin, .goesOn = [this] { return threads_.goesOn(); }});
   };
   const auto judge = [&](const Fit& fit) {
     std::size_t k = 0;
@@ -162,20 +156,31 @@ Explanation ExplanationSearch::judged(const Trial& trial) {
   judge(alone);
   const bool startsWell =
       alone.upTo(std::min(first_, alone.distances.size())) <= 1e-6 * size_ + unamplified(first_ - 1);
-  if (of.exact || !startsWell || stopped_) return of;
+  if (of.exact || !startsWell || threads_.stopped()) return judgement;
   const double distance = of.distance;
   judge(runs(true));
   if (!of.exact) of.distance = distance, of.judgedUpTo = motion_.times.back();
-  return of;
+  return judgement;
+}
+
+std::vector<Explanation> ExplanationSearch::judgedFirst(std::span<const Tried> tried, std::size_t count) {
+  std::vector<Judgement> judgements(std::min(count, tried.size()));
+  threads_.forEach(judgements.size(), [&](std::size_t k) { judgements[k] = judged(tried[k].trial); });
+  std::vector<Explanation> found;
+  for (Judgement& judgement : judgements) {
+    spend(judgement.cost);
+    found.push_back(std::move(judgement.of));
+  }
+  return found;
 }
 
 /// Of those that are near at the first times, the nearest that stays so.
 std::optional<Explanation> ExplanationSearch::exactOf(std::vector<Tried>& tried) {
   std::ranges::stable_sort(tried, {}, &Tried::distance);
+  const auto isNear = [this](const Tried& one) { return one.distance <= near(); };
+  const auto nearOnes = std::size_t(std::ranges::find_if_not(tried, isNear) - tried.begin());
   std::optional<Explanation> best;
-  for (std::size_t k = 0; k < std::min(tried.size(), kMostToTheEnd) && !stopped_; ++k) {
-    if (tried[k].distance > near()) break;
-    const Explanation of = judged(tried[k].trial);
+  for (const Explanation& of : judgedFirst(tried, std::min(nearOnes, kMostToTheEnd))) {
     if (of.exact && (!best || of.distance < best->distance)) best = of;
   }
   return best;
@@ -184,8 +189,7 @@ std::optional<Explanation> ExplanationSearch::exactOf(std::vector<Tried>& tried)
 std::optional<Explanation> ExplanationSearch::nearestOf(std::vector<Tried>& tried) {
   std::ranges::stable_sort(tried, {}, &Tried::distance);
   std::optional<Explanation> nearest;
-  for (std::size_t k = 0; k < std::min(tried.size(), kKept) && !stopped_; ++k) {
-    const Explanation of = judged(tried[k].trial);
+  for (const Explanation& of : judgedFirst(tried, kKept)) {
     if (!nearest || of.distance < nearest->distance) nearest = of;
   }
   return nearest;
@@ -193,19 +197,15 @@ std::optional<Explanation> ExplanationSearch::nearestOf(std::vector<Tried>& trie
 
 std::optional<Explanation> ExplanationSearch::right() {
   std::vector<Tried> tried;
+  std::vector<Trial> trials;
   for (const Method& method : methods()) {
-    if (!method.adaptive) continue;
-    const Trial trial{&plain_, {&method, nullptr}, 0};
-    const double distance = distanceOf(trial, first_, kInfinity);
-    if (std::isfinite(distance)) tried.push_back({&plain_, trial, distance});
+    if (method.adaptive) trials.push_back({&plain_, {&method, nullptr}, 0});
   }
-  tryAll(plain_, Breadth::All, likely_, kInfinity, tried);
-  for (const Way& way : waysOf(plain_, Breadth::Students)) {
-    const std::optional<Aim> aim = stopped_ ? std::nullopt : aimed(plain_, way);
-    if (aim) tryAround(*aim, kInfinity, tried);
-  }
+  std::ranges::copy(trialsOf(plain_, Breadth::All, likely_), std::back_inserter(trials));
+  tryAll(trials, kInfinity, tried);
+  tryAll(trialsAround(aims(std::span(&plain_, 1))), kInfinity, tried);
   std::optional<Explanation> found = exactOf(tried);
-  if (stopped_) return found;
+  if (stopped()) return found;
   return found ? nearestStep(*found) : nearestOf(tried);
 }
 
@@ -213,36 +213,41 @@ std::optional<Explanation> ExplanationSearch::right() {
 Explanation ExplanationSearch::nearestStep(const Explanation& found) {
   if (found.dt == 0 || found.distance <= kRounding * size_) return found;
   std::vector<Tried> tried;
+  std::vector<Trial> trials;
   for (const double dt : all_) {
-    const Trial trial{&plain_, found.way, dt};
-    const double distance = dt < found.dt && !stopped_ ? distanceOf(trial, first_, near()) : kInfinity;
-    if (std::isfinite(distance)) tried.push_back({&plain_, trial, distance});
+    if (dt < found.dt) trials.push_back({&plain_, found.way, dt});
   }
+  tryAll(trials, near(), tried);
   const std::optional<Explanation> other = exactOf(tried);
   return other && other->distance < found.distance ? *other : found;
 }
 
 std::optional<Explanation> ExplanationSearch::rightAtAnyStep() {
   std::vector<Tried> tried;
-  tryAll(plain_, Breadth::Students, others_, near(), tried);
+  tryAll(trialsOf(plain_, Breadth::Students, others_), near(), tried);
   std::optional<Explanation> found = exactOf(tried);
-  if (found || stopped_) return found;
-  tryAll(plain_, Breadth::All, others_, near(), tried);
+  if (found || stopped()) return found;
+  tryAll(trialsOf(plain_, Breadth::All, others_), near(), tried);
   return exactOf(tried);
 }
 
 /// The models by how near they are when they are run accurately, without those that are further away than `atMost`.
 std::vector<Model> ExplanationSearch::ranked(std::vector<Model> models, double atMost) {
-  std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t k = 0; k < models.size() && !stopped_; ++k) {
+  std::vector<Trial> trials;
+  std::vector<std::size_t> cheap;  // what would take too long is kept, as the last one
+  for (std::size_t k = 0; k < models.size(); ++k) {
     const std::optional<Trial> trial = accurate(models[k]);
-    // What would take too long is kept, as the last one.
-    const bool isCheap = trial && costOf(*trial, motion_, first_) <= kDearlyRanked;
-    const double distance = isCheap ? distanceOf(*trial, first_, kInfinity) : atMost;
+    if (trial && costOf(*trial, motion_, first_) <= kDearlyRanked) trials.push_back(*trial), cheap.push_back(k);
+  }
+  const std::vector<Run> runs = runAll(trials, kInfinity);
+  std::vector<double> distances(models.size(), atMost);
+  for (std::size_t k = 0; k < trials.size(); ++k) distances[cheap[k]] = accounted(trials[k], runs[k]);
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t k = 0; k < models.size(); ++k) {
     const bool dependsOnStep = std::ranges::any_of(models[k].made, [](const Mistake* one) {
       return one->kind == Mistake::Kind::Pins || one->kind == Mistake::Kind::Order;
     });
-    if (distance <= atMost || dependsOnStep) order.emplace_back(distance, k);
+    if (distances[k] <= atMost || dependsOnStep) order.emplace_back(distances[k], k);
   }
   std::ranges::sort(order);
   std::vector<Model> sorted;
@@ -263,84 +268,85 @@ std::vector<Model> ExplanationSearch::pairs() const {
   return pairs;
 }
 
+/// The models one after the other; on several threads the tries of some are run ahead together.
 std::optional<Explanation> ExplanationSearch::search(const std::vector<Model>& models, const Steps& steps) {
-  for (const Model& model : models) {
-    std::vector<Tried> tried;
-    tryAll(model, Breadth::Students, steps, near(), tried);
-    if (stopped_ || spent_ > most_) return std::nullopt;
-    if (std::optional<Explanation> found = exactOf(tried)) return found;
+  const std::size_t atOnce = threads_.threads() == 1 ? 1 : 16 * std::size_t(threads_.threads());
+  for (std::size_t begin = 0; begin < models.size();) {
+    std::vector<Trial> trials;
+    std::vector<std::size_t> ends;
+    for (std::size_t k = begin; k < models.size() && trials.size() < atOnce; ++k) {
+      std::ranges::copy(trialsOf(models[k], Breadth::Students, steps), std::back_inserter(trials));
+      ends.push_back(trials.size());
+    }
+    const std::vector<Run> runs = runAll(trials, near());
+    std::size_t next = 0;
+    for (const std::size_t end : ends) {
+      std::vector<Tried> tried;
+      for (; next < end; ++next) {
+        const double distance = accounted(trials[next], runs[next]);
+        if (std::isfinite(distance)) tried.push_back({trials[next], distance});
+      }
+      if (isOver()) return std::nullopt;
+      if (std::optional<Explanation> found = exactOf(tried)) return found;
+    }
+    begin += ends.size();
   }
   return std::nullopt;
 }
 
-/// Two steps of one method tell which third one would fit: how far a motion is from the given one is e + c h^p, of the
-/// order p, and where the model is right e and c lie on one line.
-std::optional<ExplanationSearch::Aim> ExplanationSearch::aimed(const Model& model, const Way& way) {
-  const double limit = moderateStep(model.scene);
-  double longer = 0, shorter = 0;
-  for (const double dt : all_) {
-    if (!(dt > limit)) longer = std::max(longer, dt);
+std::vector<StepAim> ExplanationSearch::aims(std::span<const Model> models) {
+  std::vector<AimTrials> trials;
+  for (const Model& model : models) {
+    for (const Way& way : waysOf(model, Breadth::Students)) {
+      const std::optional<AimTrials> both = aimTrials(model, way, all_);
+      if (!both) continue;
+      const double longer = costOf(both->longer, motion_, first_), shorter = costOf(both->shorter, motion_, first_);
+      if (std::max(longer, shorter) > kDearlyRanked || !spend(longer + shorter)) continue;
+      trials.push_back(*both);
+    }
   }
-  for (const double dt : all_) {
-    if (dt <= longer / 2) shorter = std::max(shorter, dt);
+  std::vector<std::optional<StepAim>> found(trials.size());
+  const AimTarget target{.motion = &motion_, .samples = first_, .least = unamplified(first_ - 1), .goesOn = [this] {
+                           return threads_.goesOn();
+                         }};
+  threads_.forEach(trials.size(), [&](std::size_t k) {
+    if (threads_.goesOn()) found[k] = aimed(trials[k], target);
+  });
+  std::vector<StepAim> aims;
+  for (const std::optional<StepAim>& aim : found) {
+    if (aim) aims.push_back(*aim);
   }
-  if (shorter == 0) return std::nullopt;
-  const auto end = [&](double dt) {
-    const Trial trial{&model, way, dt};
-    const double cost = costOf(trial, motion_, first_);
-    if (cost > kDearlyRanked || !spend(cost)) return std::vector<Vec3>{};
-    return fitOf(trial, motion_, {.samples = first_, .goesOn = {}}).last;
-  };
-  const std::vector<Vec3> a = end(longer), b = end(shorter), &given = motion_.positions[first_ - 1];
-  if (a.empty() || b.empty()) return std::nullopt;
-  // With c as the difference of the two, the shorter one's distance is s c plus what no step takes away.
-  double cc = 0, cb = 0, bb = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const Vec3 c = a[i] - b[i], r = b[i] - given[i];
-    cc += dot(c, c), cb += dot(c, r), bb += dot(r, r);
+  return aims;
+}
+
+std::vector<Trial> ExplanationSearch::trialsAround(std::span<const StepAim> aims) const {
+  constexpr double kAside = 1.7;  // times as long or short as the step aimed at
+  std::vector<Trial> trials;
+  for (const StepAim& aim : aims) {
+    for (const double dt : all_) {
+      if (dt <= kAside * aim.dt && dt >= aim.dt / kAside) trials.push_back({aim.model, aim.way, dt});
+    }
   }
-  if (!(cc > 0) || !std::isfinite(cb)) return std::nullopt;
-  const double s = cb / cc;
-  const int order = way.order();
-  const double power = std::pow(shorter, order) - s * (std::pow(longer, order) - std::pow(shorter, order));
-  const double left = std::sqrt(std::max(0.0, bb - cb * cb / cc) / double(a.size()));
-  Aim aim{.model = &model, .way = way, .dt = power > 0 ? std::pow(power, 1.0 / order) : shorter, .missed = 0};
-  aim.missed = left / std::max(std::sqrt(bb / double(a.size())), unamplified(first_ - 1));
-  return aim;
+  return trials;
 }
 
 std::optional<Explanation> ExplanationSearch::searchByAim(std::span<const Model> models) {
   constexpr std::size_t kMostAims = 40;
-  std::vector<Aim> aims;
-  for (const Model& model : models) {
-    for (const Way& way : waysOf(model, Breadth::Students)) {
-      if (stopped_) return std::nullopt;
-      if (const std::optional<Aim> aim = aimed(model, way)) aims.push_back(*aim);
-    }
-  }
-  std::ranges::stable_sort(aims, {}, &Aim::missed);
-  if (aims.size() > kMostAims) aims.resize(kMostAims);
+  std::vector<StepAim> best = aims(models);
+  if (stopped()) return std::nullopt;
+  std::ranges::stable_sort(best, {}, &StepAim::missed);
+  if (best.size() > kMostAims) best.resize(kMostAims);
   std::vector<Tried> tried;
-  for (const Aim& aim : aims) tryAround(aim, near(), tried);
+  tryAll(trialsAround(best), near(), tried);
   return exactOf(tried);
-}
-
-void ExplanationSearch::tryAround(const Aim& aim, double enough, std::vector<Tried>& tried) {
-  constexpr double kAside = 1.7;  // times as long or short as the step aimed at
-  for (const double dt : all_) {
-    if (stopped_) return;
-    if (dt > kAside * aim.dt || dt < aim.dt / kAside) continue;
-    const Trial trial{aim.model, aim.way, dt};
-    const double distance = distanceOf(trial, first_, enough);
-    if (std::isfinite(distance)) tried.push_back({aim.model, trial, distance});
-  }
 }
 
 /// One mistake alone where it fits as well: the other one then makes no difference.
 Explanation ExplanationSearch::oneOfTwo(const Explanation& found) {
   for (const Mistake* mistake : found.model.made) {
     const Model single = withMistake(plain_, *mistake);
-    Explanation of = judged({&single, found.way, found.dt});
+    const std::array tried{Tried{.trial = {&single, found.way, found.dt}}};
+    Explanation of = judgedFirst(tried, 1).front();
     if (of.exact) return of;
   }
   return found;
@@ -355,32 +361,37 @@ std::optional<Explanation> ExplanationSearch::mistaken(double fromTruth) {
   const double atMost = kFar * std::max(fromTruth, unamplified(first_ - 1));
   singles_ = ranked(std::move(models), atMost);
   std::optional<Explanation> found = search(singles_, likely_);
-  if (!found && !stopped_) found = searchByAim(singles_);
-  if (!found && !stopped_) {
+  if (!found && !stopped()) found = searchByAim(singles_);
+  if (!found && !stopped()) {
     pairs_ = ranked(pairs(), atMost);
     found = search(pairs_, likely_);
-    if (!found && !stopped_) found = searchByAim(std::span(pairs_).first(std::min(pairs_.size(), kMostAimed)));
+    if (!found && !stopped()) found = searchByAim(std::span(pairs_).first(std::min(pairs_.size(), kMostAimed)));
   }
-  if (!found && !stopped_) found = search(singles_, others_);
-  if (!found && !stopped_) found = search(pairs_, others_);
+  if (!found && !stopped()) found = search(singles_, others_);
+  if (!found && !stopped()) found = search(pairs_, others_);
   if (found && found->model.made.size() == 2) return oneOfTwo(*found);
-  if (found || stopped_) return found;
+  if (found || stopped()) return found;
   // No program in double does that: for want of better the nearest one.
   std::vector<Tried> tried;
   for (const std::vector<Model>* list : {&singles_, &pairs_}) {
-    for (std::size_t k = 0; k < std::min(list->size(), kKept) && !stopped_; ++k) {
-      tryAll((*list)[k], Breadth::Students, likely_.empty() ? others_ : likely_, kInfinity, tried);
+    for (std::size_t k = 0; k < std::min(list->size(), kKept) && !stopped(); ++k) {
+      tryAll(trialsOf((*list)[k], Breadth::Students, likely_.empty() ? others_ : likely_), kInfinity, tried);
     }
   }
   return nearestOf(tried);
 }
 
+std::vector<double> ExplanationSearch::distances(const Model& model, const Explanation& of) {
+  const Trial trial{&model, of.way, of.dt};
+  return fitOf(trial, motion_, {.samples = motion_.times.size(), .goesOn = [this] { return threads_.goesOn(); }})
+      .distances;
+}
+
 double ExplanationSearch::withoutMistake(const Explanation& of) {
-  Trial trial{&plain_, of.way, of.dt};
-  const Fit fit = fitOf(trial, motion_, {.samples = motion_.times.size(), .goesOn = {}});
   double largest = 0;
-  for (std::size_t k = 0; k < fit.distances.size() && motion_.times[k] <= of.judgedUpTo; ++k) {
-    largest = std::max(largest, fit.distances[k]);
+  const std::vector<double> apart = distances(plain_, of);
+  for (std::size_t k = 0; k < apart.size() && motion_.times[k] <= of.judgedUpTo; ++k) {
+    largest = std::max(largest, apart[k]);
   }
   return largest;
 }

@@ -1,4 +1,5 @@
-// The search for what a motion is: many tries at its first times, few of them to its end.
+// The search for what a motion is: many tries at its first times, few of them to its end. It comes to the same result
+// whatever the number of threads: tries are run ahead on all of them, and judged one after the other.
 // Must not know: references, words, clocks.
 #pragma once
 
@@ -8,13 +9,15 @@
 #include <vector>
 
 #include "study/check/motion_check.h"
+#include "study/check/step_aim.h"
+#include "study/check/trial_threads.h"
 
 namespace tyg {
 
 class ExplanationSearch {
  public:
   /// `step` (s): the only one to try, if any. `goesOn` is asked now and then with the fraction of the effort spent.
-  ExplanationSearch(const Scene& scene, const GivenMotion& motion, std::optional<double> step,
+  ExplanationSearch(const Scene& scene, const GivenMotion& motion, std::optional<double> step, int threads,
                     std::function<bool(double)> goesOn);
 
   /// What right methods come to at the steps that are likely: the nearest one, exact or not. Nothing where the times
@@ -25,53 +28,60 @@ class ExplanationSearch {
   /// The mistake, or the pair of mistakes, with which the motion fits exactly, else the nearest one that was tried to
   /// the end. `fromTruth`: m, how far the motion is from the truth at its first and at all times.
   std::optional<Explanation> mistaken(double fromTruth);
+  /// m, by the motion's times, as far as it can be run: how far the motion is from an explanation.
+  std::vector<double> distances(const Explanation& of) { return distances(of.model, of); }
   /// The same method and step as an explanation's without its mistakes, m.
   double withoutMistake(const Explanation& of);
 
-  [[nodiscard]] bool stopped() const { return stopped_; }
+  [[nodiscard]] bool stopped() const { return threads_.stopped(); }
   /// The first times, which most tries are run to.
   [[nodiscard]] std::size_t first() const { return first_; }
 
  private:
   struct Tried {
-    const Model* model = nullptr;
     Trial trial;
     double distance = 0;  // m, at the first times
   };
-  /// A model and a method, and the step at which they would be nearest.
-  struct Aim {
-    const Model* model = nullptr;
-    Way way;
-    double dt = 0;      // s
-    double missed = 0;  // what would be left of the distance there, as a fraction
+  /// What came out of a try at the first times, or nothing where it would have been beyond the effort anyway.
+  struct Run {
+    double distance;      // m; infinite where it ended before, or was far enough
+    std::size_t sampled;  // times
+  };
+  struct Judgement {
+    Explanation of;
+    double cost = 0;
   };
   using Steps = std::vector<double>;
 
   bool spend(double cost);
-  double distanceOf(const Trial& trial, std::size_t samples, double enough);
+  [[nodiscard]] bool isOver() const { return threads_.stopped() || spent_ > most_; }
   [[nodiscard]] double near() const;
   [[nodiscard]] double unamplified(std::size_t sample) const;
   [[nodiscard]] std::optional<Trial> accurate(const Model& model) const;
-  void tryAll(const Model& model, Breadth breadth, const Steps& steps, double enough, std::vector<Tried>& tried);
+  [[nodiscard]] std::vector<Trial> trialsOf(const Model& model, Breadth breadth, const Steps& steps) const;
+  std::vector<Run> runAll(std::span<const Trial> trials, double enough);
+  double accounted(const Trial& trial, const Run& run);
+  void tryAll(std::span<const Trial> trials, double enough, std::vector<Tried>& tried);
+  std::vector<double> distances(const Model& model, const Explanation& of);
   Explanation oneOfTwo(const Explanation& found);
   Explanation nearestStep(const Explanation& found);
   std::optional<Explanation> nearestOf(std::vector<Tried>& tried);
   std::optional<Explanation> exactOf(std::vector<Tried>& tried);
-  Explanation judged(const Trial& trial);
+  Judgement judged(const Trial& trial);
+  std::vector<Explanation> judgedFirst(std::span<const Tried> tried, std::size_t count);
   std::vector<Model> ranked(std::vector<Model> models, double atMost);
   [[nodiscard]] std::vector<Model> pairs() const;
-  std::optional<Aim> aimed(const Model& model, const Way& way);
-  void tryAround(const Aim& aim, double enough, std::vector<Tried>& tried);
+  std::vector<StepAim> aims(std::span<const Model> models);
+  [[nodiscard]] std::vector<Trial> trialsAround(std::span<const StepAim> aims) const;
   std::optional<Explanation> searchByAim(std::span<const Model> models);
   std::optional<Explanation> search(const std::vector<Model>& models, const Steps& steps);
 
   const GivenMotion& motion_;
   Model plain_;
   Steps all_, likely_, others_;  // s
-  std::function<bool(double)> goesOn_;
+  TrialThreads threads_;
   std::size_t first_ = 1;
   double size_, spent_ = 0, most_ = 0;
-  bool stopped_ = false;
   std::vector<Model> singles_, pairs_;
 };
 

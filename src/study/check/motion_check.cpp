@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include "study/check/explanation_search.h"
 #include "study/limits/stability.h"
 #include "study/motion/error.h"
 #include "study/motion/tearing.h"
 #include "tyg/methods.h"
+#include "util/workers.h"
 
 namespace tyg {
 namespace {
@@ -16,6 +18,15 @@ namespace {
 constexpr double kReferenceTolerance = 1e-12, kAgreement = 1e-10;  // of the size
 constexpr double kTruthEnds = 0.35, kSearchBegins = 0.45;          // shares of the work
 constexpr double kClearlyNearer = 30;  // times: what is not exact explains a motion only where it is so much nearer
+
+int threadsOf(const CheckOptions& options) {
+  return options.threads > 0 ? options.threads : std::max(1, int(std::thread::hardware_concurrency()));
+}
+
+/// The threads that share the rows of one run: of a small sheet they would only wait for each other.
+int rowThreadsOf(const CheckOptions& options, const Scene& scene) {
+  return defaultThreads(scene.columns * scene.rows) == 1 ? 1 : options.threads;
+}
 
 /// The truth at the motion's own times.
 SampledMotion truthAt(const MotionCheck& check, const GivenMotion& motion, const CheckOptions& options) {
@@ -28,7 +39,8 @@ SampledMotion truthAt(const MotionCheck& check, const GivenMotion& motion, const
     const double share = time / scene.duration;
     return !options.observer || options.observer(kTruthEnds + (kSearchBegins - kTruthEnds) * share);
   };
-  return sampledRun(scene, findMethod("dopri54"), times, {.threads = options.threads, .observer = observer});
+  return sampledRun(scene, findMethod("dopri54"), times,
+                    {.threads = rowThreadsOf(options, scene), .observer = observer});
 }
 
 void measureErrors(MotionCheck& check, const GivenMotion& motion, const CheckOptions& options) {
@@ -87,6 +99,11 @@ void decide(MotionCheck& check, ExplanationSearch& search, const CheckOptions& o
 
 const Explanation* MotionCheck::explanation() const { return mistaken ? &*mistaken : right ? &*right : nullptr; }
 
+bool MotionCheck::stepIsTooLong() const {
+  const Explanation* of = explanation();
+  return of != nullptr && limit > 0 && of->dt > limit;
+}
+
 MotionCheck checkMotion(const Scene& scene, const GivenMotion& handedIn, const CheckOptions& options) {
   MotionCheck check;
   check.scene = scene;
@@ -98,12 +115,13 @@ MotionCheck checkMotion(const Scene& scene, const GivenMotion& handedIn, const C
         [&options, from, to](double done) { return !options.observer || options.observer(from + (to - from) * done); };
   };
   constexpr double kTears = 0.05;
-  const Tearing tearing = untilTearsDiffer(check.scene, options.threads, part(0, kTears));
+  const int threads = rowThreadsOf(options, scene);
+  const Tearing tearing = untilTearsDiffer(check.scene, threads, part(0, kTears));
   check.scene = tearing.scene;
   check.tears = tearing.words();
   const GivenMotion motion = judgedPart(check.scene, handedIn);
   check.reference = makeReference(
-      check.scene, options.threads, part(kTears, kTruthEnds),
+      check.scene, threads, part(kTears, kTruthEnds),
       {.tolerance = kReferenceTolerance * check.size, .agreement = kAgreement * check.size, .patience = 2});
   check.stopped = check.reference.stopped;
   if (check.stopped) return check;
@@ -113,15 +131,12 @@ MotionCheck checkMotion(const Scene& scene, const GivenMotion& handedIn, const C
   }
   measureErrors(check, motion, options);
   if (check.stopped) return check;
-  ExplanationSearch search(check.scene, motion, options.dt, part(kSearchBegins, 1));
+  ExplanationSearch search(check.scene, motion, options.dt, threadsOf(options), part(kSearchBegins, 1));
   decide(check, search, options);
+  if (const Explanation* of = check.explanation()) check.explained = search.distances(*of);
+  if (check.mistaken) check.withoutMistake = search.withoutMistake(*check.mistaken);
   check.stopped = search.stopped();
   if (check.stopped) return check;
-  if (const Explanation* of = check.explanation()) {
-    const Trial trial{&of->model, of->way, of->dt};
-    check.explained = fitOf(trial, motion, {.samples = motion.times.size(), .goesOn = {}}).distances;
-  }
-  if (check.mistaken) check.withoutMistake = search.withoutMistake(*check.mistaken);
   if (const Explanation* of = check.explanation(); of != nullptr && of->way.known() && of->dt > 0) {
     const double limit = restLatticeLimit(check.scene, findMethod(of->way.name()));
     check.limit = limit > 0 ? limit : 0;

@@ -41,6 +41,8 @@ struct MotionCheck {
 
   /// What explains the motion: the mistake, else the nearest method.
   [[nodiscard]] const Explanation* explanation() const;
+  /// Whether that takes steps past the method's limit.
+  [[nodiscard]] bool stepIsTooLong() const;
 };
 
 struct CheckOptions {

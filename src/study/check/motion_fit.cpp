@@ -91,6 +91,10 @@ void refuseTimes(const GivenMotion& motion, const Scene& scene, const std::strin
 
 void refuseOtherMotion(const GivenMotion& motion, const Scene& scene, const std::string& file) {
   const Sheet sheet = makeSheet(scene);
+  if (const std::size_t count = motion.positions.front().size(); count != std::size_t(sheet.count())) {
+    refuse(file, fmt::format("{} particles", count),
+           fmt::format("the {} x {} of {}", sheet.columns, sheet.rows, scene.name));
+  }
   refuseTimes(motion, scene, file);
   refuseUnits(motion, sheet, file);
   refuseStart(motion, scene, sheet, file);

@@ -318,9 +318,11 @@ GivenMotion readMotion(std::string_view text, const std::string& fileName, const
 }
 
 std::vector<std::int64_t> stepCounts(const GivenMotion& motion, double dt) {
+  constexpr double kMost = 1e15;  // whole numbers in double are exact up to there
   std::vector<std::int64_t> counts;
   for (const double time : motion.times) {
     const double steps = std::round(time / dt);
+    if (!(steps <= kMost)) return {};
     if (std::abs(time - steps * dt) > std::min(dt / 4, motion.timeRounding + 1e-9 * std::min(dt, time))) return {};
     counts.push_back(std::int64_t(steps));
   }

@@ -116,6 +116,19 @@ Fit fitOf(const Trial& trial, const GivenMotion& motion, const FitOptions& optio
   return fit;
 }
 
+std::size_t firstSamples(const GivenMotion& motion, const Scene& scene) {
+  constexpr double kMoved = 0.01;  // of the size
+  const std::size_t least = motion.times.front() > 0 ? 1 : 2, all = motion.times.size();
+  std::vector<Vec3> start;
+  const Sheet sheet = makeSheet(scene);
+  start.reserve(std::size_t(sheet.count()));
+  for (int particle = 0; particle < sheet.count(); ++particle) start.push_back(sheet.startPosition(particle));
+  std::size_t first = std::min(all, least);
+  const auto moved = [&] { return distanceBetween(motion.positions[first - 1], start).rms; };
+  while (first < std::max(least, all / 3) && moved() < kMoved * sheet.size()) ++first;
+  return std::min(first, all);
+}
+
 double costOf(const Trial& trial, const GivenMotion& motion, std::size_t samples) {
   constexpr double kFaster = 8, kOverhead = 150;  // rows at once, of Tyg's own methods; of each evaluation
   constexpr double kSolving = 150, kAdaptiveSteps = 1000;

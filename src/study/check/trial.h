@@ -53,6 +53,10 @@ struct FitOptions {
 /// Throws nothing where the method does not take the model: the fit is then empty.
 Fit fitOf(const Trial& trial, const GivenMotion& motion, const FitOptions& options);
 
+/// How many of a motion's samples a try is run to at first: until the sheet has moved, and not more than a third of
+/// all.
+std::size_t firstSamples(const GivenMotion& motion, const Scene& scene);
+
 /// About how much the try costs to the motion's sample `samples`, in evaluations of one spring.
 double costOf(const Trial& trial, const GivenMotion& motion, std::size_t samples);
 

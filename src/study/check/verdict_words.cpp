@@ -18,8 +18,13 @@ constexpr std::string_view kReportsCure =
 
 bool isReports(const Explanation& of) { return of.way.name() == "report-rk4" && of.model.made.empty(); }
 
+constexpr double kExploded = 10;  // sheet sizes of error: no cloth that holds together is so far away
+
 /// A small distance, which lengthText() would round away.
-std::string metres(double distance) { return distance >= 1 ? lengthText(distance) : fmt::format("{:.2g} m", distance); }
+std::string metres(double distance) {
+  if (std::isinf(distance)) return "infinitely far";
+  return distance >= 1 ? lengthText(distance) : fmt::format("{:.2g} m", distance);
+}
 
 std::string methodWords(const Explanation& of) {
   std::string name(of.way.student != nullptr ? of.way.student->label : of.way.method->label);
@@ -44,9 +49,9 @@ std::string agreement(const Explanation& of, const MotionCheck& check) {
 }
 
 /// Where the step is too long, that is what has to be changed.
-std::string stepWords(const MotionCheck& check, const Explanation& of) {
-  if (!(check.limit > 0) || of.dt <= check.limit) return "";
-  return fmt::format(" The step is longer than {}, the largest stable one: take a shorter step.",
+std::string stepWords(const MotionCheck& check, std::string_view subject) {
+  if (!check.stepIsTooLong()) return "";
+  return fmt::format(" {} step is longer than {}, the largest stable one: take a shorter step.", subject,
                      timeText(check.limit));
 }
 
@@ -56,15 +61,16 @@ std::string mistakenWords(const MotionCheck& check) {
       fmt::format("Your positions are those of {}{}: {}.", methodWords(of), withWords(of.model), agreement(of, check));
   if (isReports(of)) return text.append(" ").append(kReportsCure);
   for (const Mistake* mistake : of.model.made) text.append(" ").append(mistake->cure);
-  return text + stepWords(check, of);
+  return text + stepWords(check, "The");
 }
 
 std::string rightWords(const MotionCheck& check) {
   const Explanation& of = *check.right;
   const std::string own = of.way.known() ? "" : ", a right method that is not one of ours";
-  return fmt::format("Right: your positions are those of {}{}: {}. They are {} from the truth.", methodWords(of), own,
-                     agreement(of, check), metres(check.error)) +
-         stepWords(check, of);
+  const std::string positions =
+      fmt::format("our positions are those of {}{}: {}.", methodWords(of), own, agreement(of, check));
+  if (check.stepIsTooLong()) return "Y" + positions + stepWords(check, "The program is right, but its");
+  return fmt::format("Right: y{} They are {} from the truth.", positions, metres(check.error));
 }
 
 }  // namespace
@@ -87,6 +93,12 @@ std::string verdictWords(const MotionCheck& check) {
           metres(check.error));
     case Verdict::Unexplained:
       break;
+  }
+  if (!(check.error < kExploded * check.size)) {
+    return "Your cloth has exploded: its positions are " + metres(check.error) +
+           " from the truth. Try half the step. If the cloth then stays whole, the step was too long; if not, "
+           "something "
+           "in the model is wrong. A file with a row for every step until then is enough to tell which.";
   }
   return fmt::format(
       "Your positions are {} from the truth, and neither a method of ours nor a common mistake gives "

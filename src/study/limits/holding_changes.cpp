@@ -1,11 +1,12 @@
-// Each change is looked for outwards, by factors of two, and then between the last factor that did not hold and the
-// first that does.
+// Each change is looked for outwards, by factors of two, on the unbounded lattice, whose limit is quickly known and
+// close to the sheet's own; and then with that, between the last factor that does not hold and the first that does.
 #include "study/limits/holding_changes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/forces/terms/springs.h"
 #include "study/limits/stability.h"
@@ -36,28 +37,50 @@ double threeDigitsAbove(double number) {
   return below + std::pow(10, std::floor(std::log10(below)) - 2);
 }
 
-/// How far a step is within the limit, as the logarithm of their ratio; infinite where the method has no limit.
-double slackOf(const Scene& scene, const Method& method, double dt) {
-  const double limit = restLatticeLimit(scene, method);
+/// How far a step is within a limit, as the logarithm of their ratio; infinite where there is no limit.
+double slackOf(double limit, double dt) {
   return std::isnan(limit) ? std::numeric_limits<double>::infinity() : std::log(limit / dt);
+}
+
+/// The first power of `towards` with which `slack` (of the logarithm of a factor) is not negative; where there is none
+/// up to a few thousand, the one with the largest slack.
+template <class Slack>
+int firstThatHolds(double towards, const Slack& slack) {
+  constexpr int kDoublings = 12;
+  int best = 1;
+  double most = -std::numeric_limits<double>::infinity();
+  for (int k = 1; k <= kDoublings; ++k) {
+    const double found = slack(k * std::log(towards));
+    if (found >= 0) return k;
+    if (found > most) best = k, most = found;
+  }
+  return best;
 }
 
 /// The factor nearest to 1, above or below it as `towards` is, with which the step holds with next to nothing to spare;
 /// NaN where none up to a few thousand does.
 template <class Change>
 double holdingFactor(const Scene& scene, const Method& method, double dt, double towards, const Change& change) {
-  constexpr int kDoublings = 12, kMostRounds = 20;
+  constexpr int kMostRounds = 20;
   constexpr double kSpare = 1e-3;
-  const auto slack = [&](double logFactor) {
-    Scene changed = scene;
-    change(changed, std::exp(logFactor));
-    return slackOf(changed, method, dt);
+  const auto changed = [&](double logFactor) {
+    Scene other = scene;
+    change(other, std::exp(logFactor));
+    return other;
   };
-  double fails = 0, lacking = -std::numeric_limits<double>::infinity(), holds = 0, spare = -1;
-  for (int k = 1; spare < 0; ++k) {
-    if (k > kDoublings) return kNone;
-    if (k > 1) fails = holds, lacking = spare;
-    holds = k * std::log(towards), spare = slack(holds);
+  const auto slack = [&](double logFactor) { return slackOf(restLatticeLimit(changed(logFactor), method), dt); };
+  int k = firstThatHolds(towards,
+                         [&](double logFactor) { return slackOf(unboundedLimit(changed(logFactor), method), dt); });
+  double holds = k * std::log(towards), spare = slack(holds);
+  if (spare < 0) return kNone;
+  double fails = 0, lacking = -std::numeric_limits<double>::infinity();
+  while (--k > 0) {
+    const double less = k * std::log(towards), found = slack(less);
+    if (found < 0) {
+      fails = less, lacking = found;
+      break;
+    }
+    holds = less, spare = found;
   }
   // A limit is nearly a power of the factor, so that a line through both ends leads close to it.
   for (int round = 0; round < kMostRounds && spare > kSpare; ++round) {
@@ -92,7 +115,9 @@ double holdingDamping(Scene scene, const Method& method, double dt) {
 
 }  // namespace
 
-bool holdsAtRest(const Scene& scene, const Method& method, double dt) { return slackOf(scene, method, dt) >= 0; }
+bool holdsAtRest(const Scene& scene, const Method& method, double dt) {
+  return slackOf(restLatticeLimit(scene, method), dt) >= 0;
+}
 
 HoldingChanges changesThatHold(const Scene& scene, const Method& method, double dt) {
   const double mass = holdingFactor(scene, method, dt, 2, scaleMass);
@@ -102,14 +127,15 @@ HoldingChanges changesThatHold(const Scene& scene, const Method& method, double 
           .mass = threeDigitsAbove(scene.particleMass * mass)};
 }
 
-std::vector<std::string> springsThatLimit(const Scene& scene, const Method& method) {
+std::vector<std::string> springsThatLimit(const Scene& scene, const Method& method, bool byDamping) {
   constexpr std::array kNames{"structural", "shear", "bend"};
   const double limit = restLatticeLimit(scene, method);
   std::vector<std::string> names;
   if (std::isnan(limit)) return names;
   for (std::size_t k = 0; k < kSprings.size(); ++k) {
     Scene without = scene;
-    (without.*kSprings.at(k)) = {};
+    double& cause = byDamping ? (without.*kSprings.at(k)).kd : (without.*kSprings.at(k)).ks;
+    if (std::exchange(cause, 0) == 0) continue;
     const double other = restLatticeLimit(without, method);
     if (!(std::abs(other - limit) <= 0.01 * limit)) names.emplace_back(kNames.at(k));
   }

@@ -24,7 +24,8 @@ struct HoldingChanges {
 /// it is looked for with one kd for all springs.
 HoldingChanges changesThatHold(const Scene& scene, const Method& method, double dt);
 
-/// The families of springs that set a limit at rest: without one of these it would be another by more than 1 %.
-std::vector<std::string> springsThatLimit(const Scene& scene, const Method& method);
+/// The families of springs that set a limit at rest: without the damping of one of these, where damping sets it, else
+/// without its stiffness, it would be another by more than 1 %.
+std::vector<std::string> springsThatLimit(const Scene& scene, const Method& method, bool byDamping);
 
 }  // namespace tyg

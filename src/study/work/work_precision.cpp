@@ -112,9 +112,22 @@ TimedRow errorRun(const Scene& scene, const Method& method, double budget, const
   return run;
 }
 
+/// Whether the plan's device takes the run.
+bool isForDevice(const TimedRow& run, const StudyPlan& plan) {
+  if (!plan.device || run.scene.precision != Precision::Float) return false;
+  try {
+    const Simulation simulation(run.scene, *run.method, {.threads = 1, .device = plan.device});
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 /// Times the run of a row: the same scene from stop to stop, with nothing else between the steps.
 void time(TimedRow& run, Shared& shared) {
-  Simulation simulation(run.scene, *run.method, {.threads = shared.plan.threads});
+  const bool onDevice = run.row.device == RowDevice::Gpu;
+  Simulation simulation(run.scene, *run.method,
+                        {.threads = shared.plan.threads, .device = onDevice ? shared.plan.device : nullptr});
   simulation.observe([&] { return shared.progress.goesOn(); });
   const double start = shared.plan.clock();
   simulation.advanceTo(run.scene.duration);
@@ -155,6 +168,7 @@ void climb(Series& series, Shared& shared, const std::function<bool()>& goesOn) 
     TimedRow run = errorRun(scene, *series.method, budgetOf(series, shared.plan), shared, goesOn);
     if (shared.progress.stopped()) return;
     run.rung = series.runs.size();
+    if (isForDevice(run, shared.plan)) run.row.device = RowDevice::Gpu;
     series.runs.push_back(std::move(run));
   } catch (const InputError& refusal) {
     series.refusal = refusal.what();

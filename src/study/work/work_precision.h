@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "study/motion/reference.h"
@@ -24,10 +25,13 @@ struct StudyPlan {
   /// So many rungs of every ladder come before the rest of any, for those who watch the rows come; 0: one ladder after
   /// the other.
   std::size_t firstRungs = 0;
-  int fewestRepeats = 3;          ///< of each timing
-  double repeatSeconds = 0.2;     ///< short runs are timed more often, until this much has gone into them
-  double roundsBudget = 50;       ///< s for all repeats together: no further run begins after it
-  int threads = 0;                ///< as Settings::threads
+  int fewestRepeats = 3;       ///< of each timing
+  double repeatSeconds = 0.2;  ///< short runs are timed more often, until this much has gone into them
+  double roundsBudget = 50;    ///< s for all repeats together: no further run begins after it
+  int threads = 0;             ///< as Settings::threads
+  /// Takes the timed runs of the methods that it knows, in float; null: none. Its bits must be the processor's, which
+  /// takes the runs for the errors.
+  std::shared_ptr<Device> device{};
   std::function<double()> clock;  ///< s, from any start
   /// Gets the fraction done now and then and may return false: the study then ends with the rows so far.
   std::function<bool(double fraction)> observer;

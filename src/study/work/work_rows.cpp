@@ -13,11 +13,15 @@
 namespace tyg {
 namespace {
 
+constexpr std::string_view kDevice = ",device";
 constexpr std::string_view kHeader =
     "scene,columns,rows,integrator,precision,dt,tolerance,steps,force_evaluations,seconds,"
-    "rms_error_m,max_error_m,energy_drift,floor_m,horizon_s,status";
-constexpr std::size_t kFields = 16;
+    "rms_error_m,max_error_m,energy_drift,floor_m,horizon_s,status,device";
+/// Of files from before there was a device.
+constexpr std::string_view kOldHeader = kHeader.substr(0, kHeader.size() - kDevice.size());
+constexpr std::size_t kFields = 17;
 constexpr std::array kPrecisions{Precision::Double, Precision::Float};
+constexpr std::array kDevices{RowDevice::Cpu, RowDevice::Gpu};
 constexpr std::array kStatuses{RowStatus::Ok, RowStatus::Unstable, RowStatus::NotFinite, RowStatus::TooSlow};
 
 /// One line of a file, as fields, and where it is: what the readers below need.
@@ -63,10 +67,11 @@ void checkNumbers(const Line& line, const WorkRow& row) {
   check(11, isFinite(row.maxError), "a finite error of at least 0");
 }
 
-WorkRow rowIn(const Line& line) {
-  if (line.fields.size() != kFields) {
+WorkRow rowIn(const Line& line, std::string_view header) {
+  const std::size_t fields = header == kHeader ? kFields : kFields - 1;
+  if (line.fields.size() != fields) {
     refuse(line, std::to_string(line.fields.size()) + " fields",
-           fmt::format("{}, as in the header {}", kFields, kHeader));
+           fmt::format("{}, as in the header {}", fields, header));
   }
   WorkRow row;
   row.scene = line.fields[0];
@@ -85,6 +90,7 @@ WorkRow rowIn(const Line& line) {
   row.floor = numberIn<double>(line, 13);
   row.horizon = numberIn<double>(line, 14);
   row.status = valueIn(line, 15, kStatuses, "ok, unstable, not-finite or too-slow");
+  if (fields == kFields) row.device = valueIn(line, 16, kDevices, "cpu or gpu");
   if (row.status == RowStatus::Ok) checkNumbers(line, row);
   return row;
 }
@@ -104,12 +110,14 @@ std::string_view nameOf(RowStatus status) {
   }
 }
 
+std::string_view nameOf(RowDevice device) { return device == RowDevice::Cpu ? "cpu" : "gpu"; }
+
 std::string workCsv(const std::vector<WorkRow>& rows) {
   std::string csv = std::string(kHeader) + "\n";
   for (const WorkRow& row : rows) {
     csv += csvLine(row.scene, row.columns, row.rows, row.integrator, nameOf(row.precision), row.dt, row.tolerance,
                    row.steps, row.forceEvaluations, row.seconds, row.rmsError, row.maxError, row.energyDrift, row.floor,
-                   row.horizon, nameOf(row.status));
+                   row.horizon, nameOf(row.status), nameOf(row.device));
   }
   return csv;
 }
@@ -117,16 +125,19 @@ std::string workCsv(const std::vector<WorkRow>& rows) {
 std::vector<WorkRow> parseWorkCsv(std::string_view text, const std::string& fileName) {
   std::vector<WorkRow> rows;
   int number = 0;
+  std::string_view header;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string_view line = text.substr(0, end);
     if (line.ends_with('\r')) line.remove_suffix(1);
     text.remove_prefix(std::min(end + 1, text.size()));
-    if (++number == 1 && line != kHeader) {
+    if (++number == 1) header = line;
+    if (header != kHeader && header != kOldHeader) {
       throw InputError(
           fmt::format("{}:1: found '{}', allowed is the header of a rows.csv: {}", fileName, line, kHeader));
     }
-    if (number > 1 && !line.empty()) rows.push_back(rowIn({csvFields(line), fmt::format("{}:{}", fileName, number)}));
+    if (number > 1 && !line.empty())
+      rows.push_back(rowIn({csvFields(line), fmt::format("{}:{}", fileName, number)}, header));
   }
   if (number == 0) throw InputError(fileName + ": found an empty file, allowed is a rows.csv of tyg chart");
   return rows;

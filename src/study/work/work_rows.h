@@ -17,6 +17,11 @@ enum class RowStatus { Ok, Unstable, NotFinite, TooSlow };
 /// `ok`, `unstable`, `not-finite`, `too-slow`.
 std::string_view nameOf(RowStatus status);
 
+/// What took the steps that a row's seconds are of.
+enum class RowDevice { Cpu, Gpu };
+/// `cpu`, `gpu`.
+std::string_view nameOf(RowDevice device);
+
 /// One method at one step or tolerance on one scene. Numbers that a failed run does not have are NaN.
 struct WorkRow {
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -36,16 +41,18 @@ struct WorkRow {
   double floor = kNone;        ///< least error that means something in this precision, m
   double horizon = kNone;      ///< last time at which this row's error means something, s
   RowStatus status = RowStatus::Ok;
+  RowDevice device = RowDevice::Cpu;
 
   /// Does the row's error mean something over the whole run of `duration` seconds?
   [[nodiscard]] bool trusted(double duration) const { return status == RowStatus::Ok && horizon >= duration; }
 };
 
 /// The rows with the header scene,columns,rows,integrator,precision,dt,tolerance,steps,force_evaluations,seconds,
-/// rms_error_m,max_error_m,energy_drift,floor_m,horizon_s,status.
+/// rms_error_m,max_error_m,energy_drift,floor_m,horizon_s,status,device.
 std::string workCsv(const std::vector<WorkRow>& rows);
 
-/// Reads what workCsv() wrote. Throws InputError with file, line, what was found and what is allowed.
+/// Reads what workCsv() wrote, the device left out or not. Throws InputError with file, line, what was found and what
+/// is allowed.
 std::vector<WorkRow> parseWorkCsv(std::string_view text, const std::string& fileName);
 
 }  // namespace tyg

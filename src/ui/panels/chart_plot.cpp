@@ -325,6 +325,7 @@ void ChartPlot::legend(const PanelScope& scope, const Contents& contents) {
     const bool under = ImGui::IsWindowHovered() && cursor.x >= at.x && cursor.x < at.x + cell && cursor.y >= at.y &&
                        cursor.y < at.y + line;
     if (under) emphasised_ = &method;
+    if (under && scope.tips) ImGui::SetTooltip("%s", aboutMethod(method).c_str());
     const MethodStyle style = styleOfMethod(method.name);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     drawMark(list, style.mark, {at.x + 0.6F * small, at.y + 0.55F * small}, 1.2F * kMarkRadius * scope.size,

@@ -18,6 +18,7 @@
 #include "core/scene/bodies.h"
 #include "core/scene/same_sides.h"
 #include "tyg/methods.h"
+#include "ui/panels/open_menu.h"
 #include "viewer/cure.h"
 #include "viewer/edits.h"
 #include "viewer/push.h"
@@ -169,9 +170,9 @@ class ControlPanel final : public Panel {
                                                       : colours.past;
     const ImVec4 ink = ImGui::ColorConvertU32ToFloat4(colour);
     if (band == MarginBand::Past) {
-      ImGui::TextColored(ink, "%.3g times the limit, %.3g ms", margin.share(), 1e3 * margin.limit);
+      ImGui::TextColored(ink, "%.3g times the largest, %.3g ms", margin.share(), 1e3 * margin.limit);
     } else {
-      ImGui::TextColored(ink, "%.0f %% of the limit, %.3g ms", 100 * margin.share(), 1e3 * margin.limit);
+      ImGui::TextColored(ink, "%.0f %% of the largest, %.3g ms", 100 * margin.share(), 1e3 * margin.limit);
     }
   }
 
@@ -212,6 +213,22 @@ class ControlPanel final : public Panel {
     int law = static_cast<int>(wanted.damping);
     if (ImGui::Combo("##law", &law, kLaws.data(), int(kLaws.size()))) wanted.damping = static_cast<Damping>(law);
     tip(scope, "What dampers resist: every difference in velocity,\nor only what changes a spring's length.");
+    drawDevice(scope, wanted);
+  }
+
+  static void drawDevice(const PanelScope& scope, Scene& wanted) {
+    SceneControl& scenes = scope.viewer.scenes();
+    if (!scenes.canHaveCard()) return;
+    name("device", scope.size);
+    constexpr std::array kDevices{"processor", "graphics card"};
+    int device = scenes.onCard() ? 1 : 0;
+    if (ImGui::Combo("##device", &device, kDevices.data(), int(kDevices.size()))) {
+      scenes.moveOnCard(device == 1);
+      wanted.precision = scenes.scene().precision;
+    }
+    tip(scope,
+        "What moves the cloth. The graphics card needs OpenGL 4.3, computes in float,\n"
+        "and pays for sheets of many thousands of particles.");
   }
 
   /// What does not fit is told.
@@ -257,7 +274,9 @@ class ControlPanel final : public Panel {
     ImGui::TableNextRow();
     for (int column = 1; column < 3; ++column) {
       ImGui::TableSetColumnIndex(column);
-      ImGui::TextDisabled("%s", column == 1 ? "stiffness, N/m" : "damping, N s/m");
+      const char* whole = column == 1 ? "stiffness, N/m" : "damping, N s/m";
+      const bool fits = ImGui::CalcTextSize(whole).x <= ImGui::GetContentRegionAvail().x;
+      ImGui::TextDisabled("%s", fits ? whole : column == 1 ? "stiffness" : "damping");
     }
     for (const ForceTerm* term : forceTerms()) {
       if (!term->family) continue;
@@ -332,13 +351,14 @@ class ControlPanel final : public Panel {
 
   void drawEdits(const PanelScope& scope, Scene& wanted) {
     Viewer& viewer = scope.viewer;
+    constexpr float kBetween = 0.25F;  // of the text's size, so that all buttons fit
     bool edited = false;
     const auto button = [&edited, &scope](const char* text, const char* says, bool usable) {
       if (!usable) ImGui::BeginDisabled();
       const bool pressed = ImGui::Button(text);
       tip(scope, says);
       if (!usable) ImGui::EndDisabled();
-      ImGui::SameLine();
+      ImGui::SameLine(0, kBetween * scope.size);
       edited = edited || pressed;
       return pressed;
     };
@@ -347,7 +367,7 @@ class ControlPanel final : public Panel {
     if (button("Reset", "as it was opened", scope.edits.canReset(viewer))) scope.edits.reset(viewer);
     if (edited) wanted = viewer.scenes().scene();
     if (button("Save .toml", "into the folder that tyg was started in", true)) save(viewer);
-    ImGui::NewLine();
+    if (open_.draw(scope)) wanted = viewer.scenes().scene();
   }
 
   static void save(Viewer& viewer) {
@@ -359,6 +379,7 @@ class ControlPanel final : public Panel {
     }
   }
 
+  OpenMenu open_;
   std::optional<Scene> draft_;  ///< what a held field has come to
   Vec3 way_{1, 0, 0};           ///< of a speed that is 0 now
   std::array<int, 2> size_{};   ///< of the sheet, as typed

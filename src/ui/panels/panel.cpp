@@ -17,7 +17,10 @@ std::string aboutMethod(const Method& method) {
 }
 
 void tip(const PanelScope& scope, const std::string& text) {
-  if (scope.tips && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", text.c_str());
+  if (!scope.tips || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1);  // what is disabled is pale, and what is said of it is not
+  ImGui::SetTooltip("%s", text.c_str());
+  ImGui::PopStyleVar();
 }
 
 }  // namespace tyg

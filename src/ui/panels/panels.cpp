@@ -64,10 +64,13 @@ bool Panels::covers(double x, double y) const {
   });
 }
 
+bool Panels::isPopupOpen() {
+  return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
+
 /// ImGui's own word for it comes a frame late: a quick hand has moved to a panel, or away from it, since.
 bool Panels::takesMouse(const WindowEvent& event) const {
-  constexpr int kAny = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
-  return covers(event.x, event.y) || ImGui::IsPopupOpen("", kAny) || ImGui::IsAnyItemActive();
+  return covers(event.x, event.y) || isPopupOpen() || ImGui::IsAnyItemActive();
 }
 
 bool Panels::handle(const WindowEvent& event, Viewer& viewer) {
@@ -81,7 +84,7 @@ bool Panels::handle(const WindowEvent& event, Viewer& viewer) {
     return true;
   }
   if (event.key == kEscapeKey && !order_.empty()) {
-    closeLast();
+    if (!isPopupOpen()) closeLast();  // else it closes that
     return true;
   }
   const Input* input = findInput(event.key);
@@ -128,9 +131,17 @@ void Panels::setOpen(std::size_t which, bool open) {
   }
 }
 
+/// Whole, and as the one opened last.
+void Panels::show(std::size_t which) {
+  setOpen(which, true);
+  std::erase(order_, which);
+  order_.push_back(which);
+}
+
 void Panels::closeLast() { setOpen(order_.back(), false); }
 
 void Panels::follow(Viewer& viewer) {
+  if (const std::optional<InputAction> wanted = viewer.takeWantedPanel()) show(slotOf(*wanted));
   for (const std::size_t which : order_) slots_[which].panel->follow(viewer);
   if (!ImGui::IsAnyItemActive()) edits_.follow(viewer);
 }
@@ -214,7 +225,8 @@ void Panels::arrange(Edge edge) {
     Slot& slot = slots_[order_[k]];
     if (!isAtEdge(order_[k], edge)) continue;
     const float more = std::max(0.0F, slot.natural - slot.title);
-    slot.folded = !newest && more + (slot.folded ? kLeeway * size_ : 0) > spare;
+    const bool room = more + (slot.folded ? kLeeway * size_ : 0) <= spare;
+    slot.folded = !room && (!newest || slot.title + spare < kLowest * size_);
     if (!slot.folded) spare -= more;
     newest = false;
   }
@@ -284,7 +296,7 @@ void Panels::drawOne(std::size_t which, Viewer& viewer) {
   ImGui::End();
   if (byHand && std::max(std::abs(slot.shownX - slot.x), std::abs(slot.shownY - slot.y)) > 1) slot.dragged = true;
   if (!open) return setOpen(which, false);
-  if (slot.folded && onTitle && clicked()) std::erase(order_, which), order_.push_back(which);
+  if (slot.folded && onTitle && clicked()) show(which);
 }
 
 }  // namespace tyg

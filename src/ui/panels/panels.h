@@ -24,7 +24,7 @@ class Panels {
   void toggle(InputAction action);
   [[nodiscard]] bool isOpen(InputAction action) const;
 
-  /// Once a frame, after the cloth has moved.
+  /// Once a frame, after the cloth has moved. Opens the panel that the viewer asks for.
   void follow(Viewer& viewer);
   /// What the open panels show on the cloth, the one opened last on top.
   void paint(ClothPicture& picture);
@@ -52,8 +52,10 @@ class Panels {
     float shownX = 0, shownY = 0, width = 0, height = 0;  ///< as last drawn; 0 before
   };
   [[nodiscard]] bool covers(double x, double y) const;
+  [[nodiscard]] static bool isPopupOpen();
   [[nodiscard]] bool takesMouse(const WindowEvent& event) const;
   void setOpen(std::size_t which, bool open);
+  void show(std::size_t which);
   void closeLast();
   void handleControl(const WindowEvent& event, Viewer& viewer);
   void arrange(Edge edge);

@@ -1,0 +1,71 @@
+// The card's room gets its OpenGL context from here, because it must not know how one is made.
+#include "app/commands/device_options.h"
+
+#include <iostream>
+#include <stdexcept>
+
+#include "app/commands/command_options.h"
+#include "app/commands/option_checks.h"
+#include "gfx/contexts/compute_context.h"
+#include "gpu/gpu_device.h"
+#include "gpu/same_bits.h"
+#include "tyg/input_error.h"
+#include "tyg/methods.h"
+#include "util/text.h"
+
+namespace tyg {
+
+void addDeviceOption(Command& command, DeviceOptions& options) {
+  command
+      .option(
+          "--device", options.device,
+          "What moves the cloth: the processor (cpu), or the graphics card (gpu), which needs OpenGL 4.3, computes in "
+          "float and knows " +
+              joined(gpuMethods()) + " [cpu]")
+      .check([](const std::string& text) {
+        return checkOneOf(text, {"cpu", "gpu"});
+      })
+      .typeName("cpu|gpu");
+}
+
+namespace {
+
+std::shared_ptr<GpuDevice> openCard() {
+  return std::make_shared<GpuDevice>([] {
+    std::shared_ptr<ComputeContext> context = makeComputeContext();
+    return OpenedContext{context, context->find()};
+  });
+}
+
+ChosenDevice compared(const std::shared_ptr<GpuDevice>& card, const Scene& scene, int threads) {
+  const BitsCompared bits = compareBits(scene, findMethod(scene.integrator), card, threads);
+  return {card, {.device = "gpu", .name = card->name(), .sameBits = bits.same, .strays = bits.strays}};
+}
+
+}  // namespace
+
+OfferedCard offeredCard(const Scene& scene, int threads) {
+  const ChosenDevice chosen = compared(openCard(), scene, threads);
+  return {chosen.device, sentenceOn(chosen.report)};
+}
+
+ChosenDevice chosenDevice(const DeviceOptions& options, const Scene& scene, int threads, const std::string& command) {
+  if (!options.asksForCard()) return {};
+  try {
+    ChosenDevice chosen = compared(openCard(), scene, threads);
+    if (!chosen.report.sameBits) std::cerr << command << ": " << sentenceOn(chosen.report) << std::endl;
+    return chosen;
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    std::cerr << command << ": no graphics card serves here: " << error.what() << "; the processor moves the cloth"
+              << std::endl;
+    return {};
+  }
+}
+
+void takeFloatOnCard(Scene& scene, const DeviceOptions& options, bool precisionGiven) {
+  if (options.asksForCard() && !precisionGiven) scene.precision = Precision::Float;
+}
+
+}  // namespace tyg

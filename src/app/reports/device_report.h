@@ -1,0 +1,18 @@
+// What moved the cloth, for summaries and JSON. Must not know: how it was chosen.
+#pragma once
+
+#include <string>
+
+namespace tyg {
+
+struct DeviceReport {
+  std::string device = "cpu";  ///< as --device has it
+  std::string name{};          ///< of a graphics card, as its driver calls it
+  bool sameBits = true;        ///< as the processor, in the steps that were compared
+  double strays = 0;           ///< m, after these steps, where they are not the same
+};
+
+/// One sentence about a graphics card; empty for the processor.
+std::string sentenceOn(const DeviceReport& report);
+
+}  // namespace tyg

@@ -1,0 +1,52 @@
+// A block of memory on the graphics card. Must not know: what is in it.
+#pragma once
+
+#include <cstddef>
+
+#include "gpu/gl.h"
+
+namespace tyg {
+
+/// Made, used and destroyed in the thread of its context.
+class CardBuffer {
+ public:
+  explicit CardBuffer(const Gl& gl) : gl_(&gl) { gl.GenBuffers(1, &name_); }
+  ~CardBuffer() { gl_->DeleteBuffers(1, &name_); }
+  CardBuffer(const CardBuffer&) = delete;
+  CardBuffer& operator=(const CardBuffer&) = delete;
+
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }
+  /// Makes it as large as this at least; what was in it is lost where it grows.
+  void reserve(std::size_t bytes) {
+    if (bytes <= bytes_) return;
+    bind();
+    gl_->BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
+    bytes_ = bytes;
+  }
+  void write(const void* from, std::size_t bytes) {
+    reserve(bytes);
+    bind();
+    gl_->BufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), from);
+  }
+  void read(void* to, std::size_t bytes) const {
+    bind();
+    gl_->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), to);
+  }
+  /// Takes over what another one of the same size holds.
+  void copyFrom(const CardBuffer& other) {
+    gl_->BindBuffer(GL_COPY_READ_BUFFER, other.name_);
+    bind();
+    gl_->CopyBufferSubData(GL_COPY_READ_BUFFER, GL_SHADER_STORAGE_BUFFER, 0, 0, static_cast<GLsizeiptr>(bytes_));
+  }
+  /// Lets the kernels see it at this binding.
+  void show(unsigned binding) const { gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name_); }
+
+ private:
+  void bind() const { gl_->BindBuffer(GL_SHADER_STORAGE_BUFFER, name_); }
+
+  const Gl* gl_;
+  GLuint name_ = 0;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace tyg

@@ -1,0 +1,20 @@
+// A method's steps on the graphics card, for simulations. Must not know: who chose it, windows.
+#pragma once
+
+#include <memory>
+
+#include "core/simulation/integrator.h"
+#include "gpu/card.h"
+#include "gpu/scheme.h"
+
+namespace tyg {
+
+/// Throws InputError with the reason where the card does not take the sheet.
+void refuseOnCard(const Card& card, const Sheet& sheet);
+
+/// Copies the state to the card where something else has changed it, and back after the steps: up to 64 steps lie
+/// between two copies, and energies, events and pictures find the state where they look for it.
+std::unique_ptr<Integrator<float>> makeCardIntegrator(std::shared_ptr<Card> card, const Scheme& scheme,
+                                                      const Scene& scene, const Sheet& sheet);
+
+}  // namespace tyg

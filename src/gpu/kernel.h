@@ -1,0 +1,45 @@
+// A compute program made from the texts in kernels/, and the numbers that it is given.
+// Must not know: what it computes.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "gpu/gl.h"
+
+namespace tyg {
+
+enum class KernelFile { Step, LeapfrogBegin };
+/// The name of its text in kernels/.
+std::string nameOf(KernelFile file);
+/// The whole text of a program. `defines`: lines of GLSL that stand before everything else.
+std::string textOf(KernelFile file, const std::string& defines);
+/// The text of one file of kernels/.
+std::string textOf(std::string_view file);
+
+/// Made, used and destroyed in the thread of its context.
+class Kernel {
+ public:
+  /// `name` is what messages call it. Throws std::runtime_error with the driver's words.
+  Kernel(const Gl& gl, const std::string& name, const std::string& text);
+  ~Kernel();
+  Kernel(const Kernel&) = delete;
+  Kernel& operator=(const Kernel&) = delete;
+
+  void use() const { gl_.UseProgram(program_); }
+  // Numbers by name, while the program is in use; a name that it does not use is passed over.
+  void set(const char* name, int value) { gl_.Uniform1i(location(name), value); }
+  void set(const char* name, float value) { gl_.Uniform1f(location(name), value); }
+  void set(const char* name, const std::array<float, 3>& v) { gl_.Uniform3f(location(name), v[0], v[1], v[2]); }
+
+ private:
+  GLint location(const char* name);
+
+  const Gl& gl_;
+  GLuint program_ = 0;
+  std::map<std::string, GLint, std::less<>> locations_;
+};
+
+}  // namespace tyg
