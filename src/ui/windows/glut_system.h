@@ -1,6 +1,6 @@
 // What freeglut does not tell of the display: whether there is one, where the keyboard's focus is, and when something
-// happens. Each window system answers in a file of its own: glut_system_x11.cpp, glut_system_windows.cpp.
-// Must not know: the window that freeglut opens.
+// happens, and on Windows where half of OpenGL is. Each window system answers in a file of its own:
+// glut_system_x11.cpp, glut_system_windows.cpp. Must not know: the window that freeglut opens.
 #pragma once
 
 #include <chrono>
@@ -25,6 +25,8 @@ class GlutSystem {
   void opened();
   /// A number for the window that gets what is typed.
   [[nodiscard]] std::uintptr_t focus() const;
+  /// Finds a function of OpenGL.
+  static void (*find(const char* name))();
   /// Waits until there is something for freeglut to do, as far as that can be known, or until the time is over.
   static void wait(std::chrono::milliseconds longest);
 

@@ -59,6 +59,8 @@ std::uintptr_t GlutSystem::focus() const {
   return focus;
 }
 
+void (*GlutSystem::find(const char* name))() { return glutGetProcAddress(name); }
+
 /// freeglut cannot wait for an event by itself: its connection to the server is that of the current context.
 void GlutSystem::wait(std::chrono::milliseconds longest) {
   constexpr std::chrono::milliseconds kNap{5};

@@ -120,9 +120,8 @@ class GlutWindow final : public Window {
     glutInitWindowSize(options.size.width, options.size.height);
     window_ = glutCreateWindow(options.title.c_str());
     system_.opened();
-    if (gladLoadGL(loadFunction) == 0) throw WindowError("this display's OpenGL 3.3 functions cannot be loaded");
+    if (gladLoadGL(GlutSystem::find) == 0) throw WindowError("this display's OpenGL 3.3 functions cannot be loaded");
   }
-  static GLADapiproc loadFunction(const char* name) { return glutGetProcAddress(name); }
 
   static void setCallbacks() {
     glutIgnoreKeyRepeat(1);
