@@ -1,5 +1,5 @@
-// OpenGL on Windows, which gives a context only to a window: this one is never shown. Included by the files of this
-// folder alone. Must not know: what is drawn or computed.
+// OpenGL on Windows, which gives a context only to a window: this one is never shown.
+// Must not know: what is drawn or computed.
 #pragma once
 
 namespace tyg {
