@@ -3,6 +3,7 @@
 #include "util/whole_folder.h"
 
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -45,8 +46,8 @@ bool isStale(const fs::path& lock) {
 
 }  // namespace
 
-WholeFolder::WholeFolder(const fs::path& path, const MayReplace& mayReplace)
-    : path_(withoutLastSlash(path)), mayReplace_(mayReplace), isNew_(!fs::exists(path_)) {
+WholeFolder::WholeFolder(const fs::path& path, MayReplace mayReplace)
+    : path_(withoutLastSlash(path)), mayReplace_(std::move(mayReplace)), isNew_(!fs::exists(path_)) {
   checkTarget();
   openTemporary();
 }

@@ -19,7 +19,7 @@ class WholeFolder {
   /// Whether a file of this name that is already in the folder may be replaced or removed.
   using MayReplace = std::function<bool(const std::string& name)>;
   /// Throws InputError where the folder cannot be made or written to, or holds anything that may not be replaced.
-  WholeFolder(const std::filesystem::path& path, const MayReplace& mayReplace);
+  WholeFolder(const std::filesystem::path& path, MayReplace mayReplace);
   ~WholeFolder();
   WholeFolder(const WholeFolder&) = delete;
   WholeFolder& operator=(const WholeFolder&) = delete;
