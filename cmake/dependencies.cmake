@@ -10,9 +10,11 @@ find_package(Eigen3 REQUIRED)
 find_package(tomlplusplus REQUIRED)
 pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
 pkg_check_modules(glut REQUIRED IMPORTED_TARGET glut)  # FreeGLUT's own CMake file is broken on Debian 12
-pkg_check_modules(x11 REQUIRED IMPORTED_TARGET x11)   # freeglut itself says nothing of lost focus
-pkg_check_modules(egl REQUIRED IMPORTED_TARGET egl)
-pkg_check_modules(osmesa osmesa)                       # gone from Mesa 25.1: EGL surfaceless serves there
+if(NOT WIN32)
+  pkg_check_modules(x11 REQUIRED IMPORTED_TARGET x11)   # freeglut itself says nothing of lost focus
+  pkg_check_modules(egl REQUIRED IMPORTED_TARGET egl)
+  pkg_check_modules(osmesa osmesa)                       # gone from Mesa 25.1: EGL surfaceless serves there
+endif()
 
 # Single-header image code; Debian's package has no CMake file.
 find_path(STB_INCLUDE_DIR stb_image_write.h PATH_SUFFIXES stb REQUIRED)
@@ -42,7 +44,11 @@ target_include_directories(tyg_glad_compute SYSTEM PUBLIC ${glad_compute_dir}/in
 
 # Off-screen contexts.
 add_library(tyg_offscreen INTERFACE)
-target_link_libraries(tyg_offscreen INTERFACE PkgConfig::egl)
+if(WIN32)
+  target_link_libraries(tyg_offscreen INTERFACE opengl32 gdi32)
+else()
+  target_link_libraries(tyg_offscreen INTERFACE PkgConfig::egl)
+endif()
 if(osmesa_FOUND)
   # Its header alone: the library is opened when it is first wanted.
   target_include_directories(tyg_offscreen SYSTEM INTERFACE ${osmesa_INCLUDE_DIRS})

@@ -48,10 +48,17 @@ function(tyg_precompile room)
   endif()
 endfunction()
 
+# The folder of src/util that holds what another system needs.
+set(other_system windows)
+if(WIN32)
+  set(other_system posix)
+endif()
+
 # A room: every source file in src/ROOM and its folders, plus generated ones.
 function(tyg_library room)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${room}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "row_kernel_level\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "/src/util/${other_system}/")
   add_library(tyg_${room} STATIC ${sources} ${ARGN})
   target_include_directories(tyg_${room} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:include>)

@@ -2,9 +2,9 @@
 // what a file holds. Must not know: the program.
 #pragma once
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <sstream>
 #include <string>
 
@@ -31,8 +31,10 @@ inline std::size_t linesOf(const std::filesystem::path& path) {
 class Folder {
  public:
   Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "tyg-test-XXXXXX").string();
-    path_ = mkdtemp(name.data());
+    std::random_device random;
+    do {
+      path_ = std::filesystem::temp_directory_path() / ("tyg-test-" + std::to_string(random()));
+    } while (!std::filesystem::create_directory(path_));
   }
   ~Folder() {
     std::error_code ignored;

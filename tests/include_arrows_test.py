@@ -25,6 +25,7 @@ ROOMS = {
 # Room: its folders (what lies deeper belongs to them) and the folders of the same room that each may include, again from the lowest up; "." is the room's
 # own folder. A room that is not named here has no folders.
 FOLDERS = {
+    "util": {".": "", "posix": ".", "windows": "."},
     "core": {
         "public": "",
         "forces": "public",
@@ -61,8 +62,8 @@ HEADERS = [
     ("a window or ImGui", r"GLFW/|GL/(free)?glut|X11/|imgui|backends/imgui", "ui"),
     ("a clock", r"(chrono|ctime|time\.h|sys/time\.h)$", "util ui app"),
     ("the terminal", r"(iostream|syncstream|print)$", "ui app"),
-    ("the operating system", r"(unistd|fcntl|spawn|poll|dlfcn|pthread|signal)\.h$|csignal$|sys/",
-     "util gfx/contexts ui/windows app/output"),
+    ("the operating system", r"(unistd|fcntl|spawn|poll|dlfcn|pthread|signal|windows|shellapi|io)\.h$|csignal$|sys/",
+     "util gfx/contexts ui/windows"),
 ]
 
 # What, the words in the code that tell of it, and the rooms or folders that may use them.
@@ -167,6 +168,9 @@ WRONG = [
     ("src/gfx/a.cpp", "#include <iostream>"),
     ("src/core/scene/a.cpp", "#include <unistd.h>"),
     ("src/ui/panels/a.cpp", "#include <sys/wait.h>"),
+    ("src/app/output/a.cpp", "#include <unistd.h>"),
+    ("src/study/charts/a.cpp", "#include <windows.h>"),
+    ("src/util/a.cpp", '#include "util/windows/wide.h"'),
     ("src/core/forces/a.cpp", 'void f() { std::printf("x"); }'),
     ("src/viewer/a.cpp", 'void f() { std::cerr << "x"; }'),
     ("src/util/a.cpp", 'void f() { fprintf(stderr, "x"); }'),

@@ -13,6 +13,7 @@
 #include "app/commands/commands.h"
 #include "app/output/exit_code.h"
 #include "app/output/standard_streams.h"
+#include "util/standard_files.h"
 #include "util/sudden_end.h"
 #include "util/suggestion.h"
 #include "util/text.h"
@@ -95,6 +96,7 @@ int parseAndRun(CLI::App& app, std::vector<std::string> words, Wanted wanted) {
   addViewCommand(app, action);
   addRunCommand(app, action);
   addRenderCommand(app, action);
+  addExportCommand(app, action);
   addPlotCommand(app, action);
   addChartCommand(app, action);
   addStabilityCommand(app, action);
@@ -148,10 +150,10 @@ int guarded(const std::vector<std::string>& words, Wanted wanted) {
 }  // namespace
 
 int runCommandLine(int argc, char** argv) {
-  openMissingStandardFiles();
+  prepareStandardFiles();
   prepareForSuddenEnd();
   HarmlessOutput harmlessResults(std::cout), harmlessMessages(std::cerr);
-  return guarded({argv + 1, argv + argc}, Wanted::Run);
+  return guarded(programWords(argc, argv), Wanted::Run);
 }
 
 int readCommandLine(const std::vector<std::string>& words) { return guarded(words, Wanted::Read); }

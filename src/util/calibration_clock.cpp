@@ -7,7 +7,7 @@
 namespace tyg {
 
 double calibrationClock(int threads) {
-  std::timespec now{};
+  timespec now{};  // not in std everywhere
   if (threads > 1 || clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) != 0) return wallClock();
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }

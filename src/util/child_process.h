@@ -4,14 +4,10 @@
 
 #include <filesystem>
 #include <functional>
-#include <optional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <sys/types.h>
-
-#include "util/sudden_end.h"
 
 namespace tyg {
 
@@ -49,20 +45,11 @@ class ChildProcess {
   /// than so many seconds, or as soon as `stop` says so. To be called once.
   Ending wait(double seconds);
   /// What it has printed so far, on standard output and standard error; of more than 4 MiB the beginning.
-  [[nodiscard]] const std::string& printed() const { return printed_; }
+  [[nodiscard]] const std::string& printed() const;
 
  private:
-  bool readSome();
-  bool hasEnded();
-  void end();
-  void forget(int status);
-
-  std::function<bool()> stop_;
-  pid_t pid_ = 0;    // 0 once its end was seen
-  int socket_ = -1;  // the other end is its standard input, output and error
-  int status_ = -1;
-  std::optional<Unfinished> running_;
-  std::string printed_;
+  struct Impl;  ///< posix/child_process.cpp, windows/child_process.cpp
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace tyg

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdlib>
 
 #include <fmt/core.h>
+
+#include "util/user_folder.h"
 
 namespace tyg {
 
@@ -37,13 +38,8 @@ std::filesystem::path freeName(const std::filesystem::path& folder, const std::s
 }
 
 std::optional<std::filesystem::path> userFile(const char* variable, const char* belowHome, const char* name) {
-  if (const char* folder = std::getenv(variable); folder != nullptr && *folder != '\0') {
-    return std::filesystem::path(folder) / "tyg" / name;
-  }
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
-    return std::filesystem::path(home) / belowHome / "tyg" / name;
-  }
-  return std::nullopt;
+  const std::optional<std::filesystem::path> folder = userFolder(variable, belowHome);
+  return folder ? std::optional(*folder / "tyg" / name) : std::nullopt;
 }
 
 }  // namespace tyg

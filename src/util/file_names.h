@@ -23,8 +23,8 @@ std::string freeStem(const std::filesystem::path& folder, const std::string& ste
 /// STEM.ENDING in this folder, or STEM-2.ENDING and so on: the first of these names that nothing has yet.
 std::filesystem::path freeName(const std::filesystem::path& folder, const std::string& stem, const std::string& ending);
 
-/// A file of this program in a folder of the person's that an environment variable names, such as XDG_STATE_HOME, or
-/// else in this folder below HOME; nothing where neither is set.
+/// A file of this program in the person's folder of this kind (userFolder() in util/user_folder.h); nothing where there
+/// is none.
 std::optional<std::filesystem::path> userFile(const char* variable, const char* belowHome, const char* name);
 
 }  // namespace tyg

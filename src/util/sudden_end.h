@@ -6,8 +6,6 @@
 #include <filesystem>
 #include <functional>
 
-#include <sys/types.h>
-
 namespace tyg {
 
 /// From now on the rule of this file holds for every signal but SIGKILL, unless the program was started with the signal
@@ -18,11 +16,17 @@ void prepareForSuddenEnd();
 /// From now on writing to a pipe that nobody reads any more fails, and is no signal that ends the process.
 void ignoreClosedPipes();
 
-/// While one of these lives, the file or the program does not outlive the process.
+/// A program that was started, and all that it starts, by the number that the system has for them.
+struct ProcessGroup {
+  int number = 0;
+};
+
+/// While one of these lives, the file or the program does not outlive the process. (Windows itself ends programs with
+/// the one that has started them; see windows/child_process.cpp.)
 class Unfinished {
  public:
   explicit Unfinished(const std::filesystem::path& file);
-  explicit Unfinished(pid_t processGroup);
+  explicit Unfinished(ProcessGroup group);
   ~Unfinished();
   Unfinished(const Unfinished&) = delete;
   Unfinished& operator=(const Unfinished&) = delete;

@@ -1,12 +1,6 @@
 // Writing goes to a temporary file in the same folder, which is renamed when it is complete. Its name follows from the
-// file's own, so that the next run finds what a killed one has left. Who writes to it holds a lock on it, which the
-// system takes away with the process.
+// file's own, so that the next run finds what a killed one has left. Who writes to it holds it.
 #include "util/whole_file.h"
-
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <array>
 #include <cerrno>
@@ -56,38 +50,6 @@ fs::path temporaryBeside(const fs::path& path, int number) {
                                       ending.size() <= kLongestEnding ? ending : "");
 }
 
-bool isFile(int descriptor, const fs::path& path) {
-  struct stat opened {
-  }, named{};
-  return fstat(descriptor, &opened) == 0 && lstat(path.c_str(), &named) == 0 && S_ISREG(named.st_mode) &&
-         opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
-}
-
-bool isOwn(int descriptor) {
-  struct stat opened {};
-  return fstat(descriptor, &opened) == 0 && opened.st_uid == geteuid();
-}
-
-/// Removes a temporary file of this person that no process is writing to any more.
-void removeStale(const fs::path& temporary) {
-  const int descriptor = open(temporary.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor < 0) return;
-  const bool isStale = isOwn(descriptor) && flock(descriptor, LOCK_EX | LOCK_NB) == 0;
-  if (isStale && isFile(descriptor, temporary)) unlink(temporary.c_str());
-  close(descriptor);
-}
-
-/// Makes a temporary file that nobody else uses, and locks it; -1 where its name is taken.
-int createLocked(const fs::path& temporary) {
-  const int descriptor = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-  if (descriptor < 0) return -1;
-  (void)flock(descriptor, LOCK_EX);  // some file systems have no locks: nothing is cleared there
-  if (isFile(descriptor, temporary)) return descriptor;
-  close(descriptor);  // somebody took it for a stale one before it was locked
-  errno = EEXIST;
-  return -1;
-}
-
 /// What is there already must be a plain file: a rename would replace a device such as /dev/null for good.
 void checkTarget(const fs::path& path) {
   if (path.empty()) refuse(path, "no name was given");
@@ -103,7 +65,7 @@ void checkTarget(const fs::path& path) {
   if (status.type() == fs::file_type::not_found) return;
   if (!fs::status_known(status)) refuse(path, error.message());
   if (!fs::is_regular_file(status)) refuse(path, "it is there and is not a plain file");
-  if (::access(path.c_str(), W_OK) != 0) refuse(path, lastSystemError());
+  if (const std::error_code why = whyNotWritable(path)) refuse(path, why.message());
 }
 
 }  // namespace
@@ -138,36 +100,30 @@ void checkWritable(const fs::path& path) { const WholeFile file(path); }
 WholeFile::WholeFile(const fs::path& path) : path_(behindLink(path)) {
   constexpr int kMostWriters = 1000;  // of one file at the same time
   checkTarget(path_);
-  for (int number = 1; descriptor_ < 0 && number <= kMostWriters; ++number) {
+  std::error_code error = std::make_error_code(std::errc::file_exists);
+  for (int number = 1; error == std::errc::file_exists && number <= kMostWriters; ++number) {
     temporary_ = temporaryBeside(path_, number);
-    removeStale(temporary_);
-    descriptor_ = createLocked(temporary_);
-    if (descriptor_ < 0 && errno != EEXIST) break;
+    removeUnheld(temporary_);
+    error = file_.create(temporary_);
   }
-  if (descriptor_ < 0) refuse(path_, lastSystemError());
+  if (error) refuse(path_, error.message());
   unfinished_.emplace(temporary_);
 }
 
 WholeFile::~WholeFile() {
-  if (!kept_) ::unlink(temporary_.c_str());
-  unfinished_.reset();
-  close(descriptor_);
+  std::error_code none;
+  if (!kept_) fs::remove(temporary_, none);
 }
 
 void WholeFile::write(std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-    if (written < 0 && errno != EINTR) refuse(path_, lastSystemError());
-    bytes.remove_prefix(written < 0 ? 0 : static_cast<std::size_t>(written));
-  }
+  if (const std::error_code error = file_.write(bytes)) refuse(path_, error.message());
 }
 
 void WholeFile::keep() {
-  struct stat written {};
-  const bool isOnDisk = fsync(descriptor_) == 0 || errno == EINVAL;  // no such thing on some file systems
-  if (!isOnDisk || fstat(descriptor_, &written) != 0) refuse(path_, lastSystemError());
-  if (written.st_size == 0) refuse(path_, "nothing was written to it");
-  std::error_code error;
+  std::uint64_t size = 0;
+  std::error_code error = file_.flush(size);
+  if (error) refuse(path_, error.message());
+  if (size == 0) refuse(path_, "nothing was written to it");
   fs::rename(temporary_, path_, error);
   if (error) refuse(path_, error.message());
   kept_ = true;

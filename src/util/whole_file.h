@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "util/held_file.h"
 #include "util/sudden_end.h"
 
 namespace tyg {
@@ -42,7 +43,7 @@ class WholeFile {
 
  private:
   std::filesystem::path path_, temporary_;
-  int descriptor_ = -1;
+  HeldFile file_;
   std::optional<Unfinished> unfinished_;
   bool kept_ = false;
 };

@@ -95,7 +95,6 @@ int ClothSurface::neighbour(int particle, Way way) const {
   return particle + steps.at(way);
 }
 
-/// Whether there is a particle on this side and the spring to it.
 bool ClothSurface::joined(int particle, Way way) const {
   const int column = particle % sheet_.columns, row = particle / sheet_.columns;
   switch (way) {
@@ -110,8 +109,8 @@ bool ClothSurface::joined(int particle, Way way) const {
   }
 }
 
-/// From a particle to where its lost neighbour on this side would be: as the cloth goes on behind it, else as it goes
-/// beside it, else at a right angle to the spring that it has, else towards where the neighbour is.
+/// As the cloth goes on behind the particle, else as it goes beside it, else at a right angle to the spring that it
+/// has, else towards where the neighbour is.
 glm::vec3 ClothSurface::beyond(int particle, Way way) const {
   const Way back = Way((way + 2) % 4);
   const std::array<Way, 2> asides{Way((way + 1) % 4), Way((way + 3) % 4)};

@@ -26,6 +26,8 @@ struct ClothVertex {
 /// parts that have come apart.
 class ClothSurface {
  public:
+  enum Way { Right, Down, Left, Up };  ///< in the order of the sides of a cell
+
   explicit ClothSurface(const Sheet& sheet);
 
   /// Whether a sheet has cells; a chain has none.
@@ -42,14 +44,18 @@ class ClothSurface {
   /// Beside cuts, three for each triangle, in the same sense.
   [[nodiscard]] const std::vector<ClothVertex>& pieces() const { return pieces_; }
 
+  /// Where a particle is, m.
+  [[nodiscard]] glm::vec3 at(int particle) const;
+  /// The particle on this side; to be asked for only where there is one.
+  [[nodiscard]] int neighbour(int particle, Way way) const;
+  /// Whether there is a particle on this side and the spring to it.
+  [[nodiscard]] bool joined(int particle, Way way) const;
+  /// From a particle to where its lost neighbour on this side would be, m.
+  [[nodiscard]] glm::vec3 beyond(int particle, Way way) const;
+
  private:
-  enum Way { Right, Down, Left, Up };  ///< in the order of the sides of a cell
   struct Cell;
 
-  [[nodiscard]] glm::vec3 at(int particle) const;
-  [[nodiscard]] int neighbour(int particle, Way way) const;
-  [[nodiscard]] bool joined(int particle, Way way) const;
-  [[nodiscard]] glm::vec3 beyond(int particle, Way way) const;
   [[nodiscard]] ClothVertex corner(int particle) const;
   [[nodiscard]] ClothVertex end(int particle, Way way) const;
   void addWholeNormals();

@@ -43,8 +43,8 @@ class Fields {
 
 }  // namespace
 
-ViewLog::ViewLog(const std::filesystem::path& path) : path_(path), file_(std::fopen(path.c_str(), "wb")) {
-  if (!file_ || std::fputs(kHeader, file_.get()) < 0 || std::fflush(file_.get()) != 0) {
+ViewLog::ViewLog(const std::filesystem::path& path) : path_(path), file_(path, std::ios::binary) {
+  if (!(file_ << kHeader << std::flush)) {
     throw InputError(
         fmt::format("--log: '{}' cannot be written ({}); allowed is a file in a folder that may be written to",
                     path.string(), std::strerror(errno)));
@@ -58,7 +58,7 @@ void ViewLog::write(const ViewLogLine& line) {
   fields.number(line.picked).number(line.pushes).number(line.kinetic).word(line.alarm);
   fields.word(line.tool).number(line.held).number(line.pins).number(line.cuts);
   const std::string_view text = fields.line();
-  if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() || std::fflush(file_.get()) != 0) {
+  if (!(file_ << text << std::flush)) {
     throw InputError(fmt::format("--log: '{}' cannot be written any more ({})", path_.string(), std::strerror(errno)));
   }
 }

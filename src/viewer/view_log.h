@@ -3,9 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
+#include <fstream>
 #include <string_view>
 
 #include "tyg/scene.h"
@@ -39,11 +38,8 @@ class ViewLog {
   void write(const ViewLogLine& line);
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
   std::filesystem::path path_;
-  std::unique_ptr<std::FILE, Close> file_;
+  std::ofstream file_;
 };
 
 }  // namespace tyg

@@ -17,12 +17,12 @@ namespace tyg {
 namespace {
 
 constexpr int kMostPixels = 16384;
-constexpr std::size_t kMostFrames = 100'000;
 
 struct RenderOptions {
   SceneOptions scene;
   DeviceOptions device;
-  std::optional<double> at, from, to, fps;
+  std::optional<double> at;
+  FrameOptions frames;
   std::string size = "1280x720";
   std::optional<std::string> out;
   bool light = false;
@@ -41,7 +41,8 @@ Examples:
   tyg render hammock --out frames                      numbered pictures)";
 
 std::vector<double> chosenTimes(const Scene& scene, const RenderOptions& options) {
-  if (options.at && (options.from || options.to)) {
+  const FrameOptions& frames = options.frames;
+  if (options.at && (frames.from || frames.to)) {
     throw InputError(
         "found --at together with --from or --to, allowed is --at for one picture or --from and --to for "
         "several");
@@ -49,19 +50,14 @@ std::vector<double> chosenTimes(const Scene& scene, const RenderOptions& options
   const std::string out = options.out.value_or("");
   const bool isPicture = out.empty() || endingOf(out) == ".png";
   if (options.at) return {*options.at};
-  if (!options.from && !options.to && isPicture) return {tellingMoment(scene)};
-  const double from = options.from.value_or(0), to = options.to.value_or(scene.duration);
-  const double fps = options.fps.value_or(RenderRequest{}.fps);
-  if (!(to > from)) throw InputError("--to: found a time that is not after --from, allowed is a later one");
-  if ((to - from) * fps > double(kMostFrames)) {
-    throw InputError(fmt::format("--from, --to, --fps: found more than {} frames, allowed are fewer", kMostFrames));
-  }
-  std::vector<double> times = frameTimes(from, to, fps);
+  if (!frames.from && !frames.to && isPicture) return {tellingMoment(scene)};
+  const double usualFps = RenderRequest{}.fps;
+  std::vector<double> times = chosenFrames(frames, scene, usualFps);
   if (times.size() == 1 && !isPicture) {
     throw InputError(fmt::format(
         "--to: found less than one frame after --from, allowed for a movie or a folder is {:.4g} s or more at {:.4g} "
         "pictures per second",
-        from + 1 / fps, fps));
+        times.front() + 1 / frames.fps.value_or(usualFps), frames.fps.value_or(usualFps)));
   }
   return times;
 }
@@ -72,7 +68,7 @@ int renderChosen(const RenderOptions& options) {
   RenderRequest request;
   request.show = chosenShow(options.look, scene);
   request.times = chosenTimes(scene, options);
-  request.fps = options.fps.value_or(request.fps);
+  request.fps = options.frames.fps.value_or(request.fps);
   const auto [width, height] = parsePair(options.size);
   request.size = {width, height};
   request.out = options.out.value_or(fileStem(scene.name) + (request.times.size() > 1 ? "" : ".png"));
@@ -89,18 +85,9 @@ void addRenderCommand(CLI::App& app, Action& action) {
   const auto options = std::make_shared<RenderOptions>();
   addSceneOptions(command, options->scene);
   addDeviceOption(command, options->device);
-  const auto time = [](const char* option) {
-    return [=](const std::string& text) { return parseTime(option, text, Zero::Allowed); };
-  };
-  command.amount("--at", options->at, time("--at"), "One picture at this simulated time").typeName("TIME");
-  command.amount("--from", options->from, time("--from"), "The simulated time of the first of several pictures [0]")
-      .typeName("TIME");
-  command.amount("--to", options->to, time("--to"), "The simulated time of the last one [the end]").typeName("TIME");
-  command
-      .amount(
-          "--fps", options->fps, [](const std::string& text) { return parseNumber("--fps", text); },
-          "Pictures per simulated second [30]")
-      .typeName("N");
+  const auto time = [](const std::string& text) { return parseTime("--at", text, Zero::Allowed); };
+  command.amount("--at", options->at, time, "One picture at this simulated time").typeName("TIME");
+  addFrameOptions(command, options->frames, {"pictures", "Pictures", RenderRequest{}.fps});
   command.option("--size", options->size, "Pixels of each picture, width x height [1280x720]")
       .typeName("WxH")
       .check([](const std::string& text) { return checkPair(text, kMostPixels, "pixels, such as 1280x720"); });

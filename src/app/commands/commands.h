@@ -43,6 +43,21 @@ Scene overridden(Scene scene, const SceneOptions& options);
 /// The methods that --integrator names, each once; without it those of `usual`, else all. Throws InputError.
 std::vector<const Method*> chosenMethods(const SceneOptions& options, const std::string& usual = {});
 
+/// Which times of a run become frames; what is not given is the scene's or the command's own.
+struct FrameOptions {
+  std::optional<double> from, to;  // s
+  std::optional<double> fps;       // frames to a simulated second
+};
+/// What the help calls frames, and how many of them there are to a second without --fps.
+struct FrameWords {
+  const char *frames, *framesAtFirst;
+  double usualFps;
+};
+/// Adds --from, --to and --fps to a command. `options` must live as long as `command`.
+void addFrameOptions(Command& command, FrameOptions& options, const FrameWords& words);
+/// The times of the frames, s, both ends included. Throws InputError.
+std::vector<double> chosenFrames(const FrameOptions& options, const Scene& scene, double usualFps);
+
 /// How to draw the cloth, besides what its scene says.
 struct LookOptions {
   std::optional<std::string> show;
@@ -57,6 +72,7 @@ std::optional<Show> chosenShow(const LookOptions& options, const Scene& scene);
 void addViewCommand(CLI::App& app, Action& action);
 void addRunCommand(CLI::App& app, Action& action);
 void addRenderCommand(CLI::App& app, Action& action);
+void addExportCommand(CLI::App& app, Action& action);
 void addPlotCommand(CLI::App& app, Action& action);
 void addChartCommand(CLI::App& app, Action& action);
 void addStabilityCommand(CLI::App& app, Action& action);

@@ -16,15 +16,15 @@ namespace tyg {
 
 namespace fs = std::filesystem;
 
-fs::path preparedFolder(const std::string& name, std::span<const std::string> files) {
+fs::path preparedFolder(const fs::path& name, std::span<const std::string> files) {
   std::error_code error;
   fs::create_directories(name, error);
   std::error_code none;
   if (!fs::is_directory(name, none)) {
-    throw InputError("--out: found '" + name + "', allowed is a folder that exists or can be made (" + error.message() +
-                     ")");
+    throw InputError("--out: found '" + name.string() + "', allowed is a folder that exists or can be made (" +
+                     error.message() + ")");
   }
-  for (const std::string& file : files) checkWritable(fs::path(name) / file);
+  for (const std::string& file : files) checkWritable(name / file);
   return name;
 }
 

@@ -10,7 +10,7 @@
 namespace tyg {
 
 /// The folder, made where it is missing; each of these files in it can then be written. Throws InputError.
-std::filesystem::path preparedFolder(const std::string& name, std::span<const std::string> files);
+std::filesystem::path preparedFolder(const std::filesystem::path& name, std::span<const std::string> files);
 
 /// Runs the script STEM.gp in `folder`, which draws what is in `rows`, and keeps STEM.svg and STEM.png when both are
 /// whole. Says on standard error, as `command`, what went wrong, on standard output how to draw where gnuplot is

@@ -1,8 +1,6 @@
 // The line is wiped and written again each time.
 #include "app/output/progress.h"
 
-#include <unistd.h>
-
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -11,6 +9,7 @@
 
 #include "app/output/exit_code.h"
 #include "util/interrupt.h"
+#include "util/standard_files.h"
 #include "util/visible_text.h"
 
 namespace tyg {
@@ -22,7 +21,7 @@ constexpr const char* kWipe = "\r\033[K";
 }  // namespace
 
 Progress::Progress(std::string_view what)
-    : what_(oneLine(what)), terminal_(isatty(STDERR_FILENO) == 1), nextDraw_(start_ + kQuietAtFirst) {}
+    : what_(oneLine(what)), terminal_(messagesGoToTerminal()), nextDraw_(start_ + kQuietAtFirst) {}
 
 Progress::~Progress() { finish(); }
 

@@ -10,15 +10,13 @@
 #include <fmt/core.h>
 
 #include "app/output/exit_code.h"
+#include "app/output/moving_scene.h"
 #include "app/output/progress.h"
-#include "app/reports/run_report.h"
 #include "core/forces/terms/air.h"
 #include "gfx/contexts/offscreen.h"
 #include "gfx/movie.h"
 #include "gfx/picture_texture.h"
-#include "study/limits/stability.h"
 #include "study/motion/telling_moment.h"
-#include "tyg/methods.h"
 #include "tyg/simulation.h"
 #include "util/file_names.h"
 #include "util/interrupt.h"
@@ -31,6 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kCommand = "tyg render";
 constexpr std::size_t kFramingPoints = 2000;  // particles that the view is fitted to, at each time
 constexpr int kLargestSmooth = 4096;          // pixels wide and high
 
@@ -48,34 +47,7 @@ Form formOf(const fs::path& out) {
   return ending == ".png" ? Form::Picture : ending == ".mp4" || ending == ".gif" ? Form::Movie : Form::Folder;
 }
 
-/// A simulation that is advanced from picture to picture, and the positions and bodies that were last seen.
-class Motion3d {
- public:
-  Motion3d(const Scene& scene, const RenderRequest& request, const std::function<bool(double)>& progress)
-      : simulation_(scene, findMethod(scene.integrator),
-                    Settings{.threads = request.threads, .device = request.device}),
-        xyz_(3 * static_cast<std::size_t>(simulation_.sheet().count())) {
-    simulation_.observe([this, progress] { return progress(simulation_.time()); });
-    simulation_.copyPositions(xyz_);
-  }
-
-  /// False when the cloth is lost or somebody said stop.
-  bool reach(double time) {
-    if (time > simulation_.time()) simulation_.advanceTo(time);
-    simulation_.copyPositions(xyz_);
-    placeBodies(simulation_.scene(), simulation_.time(), bodies_);
-    return !interrupted() && simulation_.check() == Status::Ok;
-  }
-
-  [[nodiscard]] std::span<const float> xyz() const { return xyz_; }
-  [[nodiscard]] std::span<const Body> bodies() const { return bodies_; }
-  [[nodiscard]] Simulation& simulation() { return simulation_; }
-
- private:
-  Simulation simulation_;
-  std::vector<float> xyz_;
-  std::vector<Body> bodies_;
-};
+Settings settingsOf(const RenderRequest& request) { return {.threads = request.threads, .device = request.device}; }
 
 /// Gathers what a still view has to hold.
 class Framing {
@@ -109,7 +81,7 @@ class Studio {
     }
   }
 
-  const Picture& draw(Motion3d& motion, Camera& camera) {
+  const Picture& draw(MovingScene& motion, Camera& camera) {
     camera.watch(boxAround(motion.xyz()));
     DrawOptions options = request_.draw;
     options.wind = windNow(motion.simulation(), camera.watched());
@@ -190,21 +162,13 @@ void checkOutput(const RenderRequest& request) {
   checkWritable(frameFile(request, 0));
 }
 
-int stopped(Simulation& simulation, Progress& progress) {
-  progress.finish();
-  if (interrupted()) return sayInterrupted("tyg render", "what was not finished was not written");
-  const FinishedRun finished{simulation, simulation.ledger(), false, 0,
-                             restLatticeLimit(simulation.scene(), simulation.method())};
-  std::cerr << "tyg render: " << failureAdvice(finished) << std::endl;
-  return kSimulationFailed;
-}
-
 int renderPicture(const Scene& scene, const RenderRequest& request) {
   const double time = request.times.front();
   Progress progress("tyg render " + scene.name);
-  Motion3d motion(scene, request, [&](double now) { return progress.show(now / std::max(time, scene.dt)); });
+  MovingScene motion(scene, settingsOf(request),
+                     [&](double now) { return progress.show(now / std::max(time, scene.dt)); });
   Studio studio = openStudio(motion.simulation(), request);
-  if (!motion.reach(time)) return stopped(motion.simulation(), progress);
+  if (!motion.reach(time)) return sayStopped(kCommand, motion.simulation(), progress);
   Framing framing;
   framing.include(motion.xyz(), motion.bodies());
   Camera camera = framing.camera(request.size);
@@ -216,11 +180,11 @@ int renderSequence(const Scene& scene, const RenderRequest& request) {
   const double end = request.times.back();
   Progress progress("tyg render " + scene.name);
   constexpr double kFirstShare = 0.2;  // of the time that both passes take: drawing is the slower part
-  Motion3d scout(scene, request, [&](double now) { return progress.show(kFirstShare * now / end); });
+  MovingScene scout(scene, settingsOf(request), [&](double now) { return progress.show(kFirstShare * now / end); });
   Studio studio = openStudio(scout.simulation(), request);
   Framing framing;
   for (const double time : request.times) {
-    if (!scout.reach(time)) return stopped(scout.simulation(), progress);
+    if (!scout.reach(time)) return sayStopped(kCommand, scout.simulation(), progress);
     framing.include(scout.xyz(), scout.bodies());
   }
   Camera camera = framing.camera(request.size);
@@ -228,25 +192,18 @@ int renderSequence(const Scene& scene, const RenderRequest& request) {
   const bool isMovie = formOf(request.out) == Form::Movie;
   std::optional<Movie> movie;
   if (isMovie) movie.emplace(request.out, MovieForm{request.size.x, request.size.y, request.fps}, interrupted);
-  Motion3d motion(scene, request, [](double) { return !interrupted(); });
+  MovingScene motion(scene, settingsOf(request), [](double) { return !interrupted(); });
   for (std::size_t frame = 0; frame < request.times.size(); ++frame) {
-    if (!motion.reach(request.times[frame])) return stopped(motion.simulation(), progress);
+    if (!motion.reach(request.times[frame])) return sayStopped(kCommand, motion.simulation(), progress);
     const Picture& picture = studio.draw(motion, camera);
     isMovie ? movie->add(picture) : writePng(picture, frameFile(request, frame));
     progress.show(kFirstShare + (1 - kFirstShare) * double(frame + 1) / double(request.times.size()));
   }
-  if (movie && !movie->finish()) return stopped(motion.simulation(), progress);
+  if (movie && !movie->finish()) return sayStopped(kCommand, motion.simulation(), progress);
   return kDone;
 }
 
 }  // namespace
-
-std::vector<double> frameTimes(double from, double to, double fps) {
-  std::vector<double> times;
-  // Each from its number, so that rounding does not add up; the slack keeps a last frame that falls on the end.
-  for (int frame = 0; from + frame / fps <= to + 1e-9; ++frame) times.push_back(from + frame / fps);
-  return times;
-}
 
 int render(const Scene& scene, const RenderRequest& request) {
   RenderRequest asked = request;

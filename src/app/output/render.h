@@ -24,9 +24,6 @@ struct RenderRequest {
   std::shared_ptr<Device> device{};  ///< as Settings::device
 };
 
-/// Frames of `fps` per second from `from` to `to`, both included (s).
-std::vector<double> frameTimes(double from, double to, double fps);
-
 /// Checks the output, simulates, draws, writes, and names the files on standard output. One view that holds the whole
 /// motion. Returns the program's exit code; throws InputError where the output cannot be written or nothing can draw.
 int render(const Scene& scene, const RenderRequest& request);

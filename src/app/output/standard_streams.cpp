@@ -1,9 +1,6 @@
 // Text is passed on character by character; only a character that came in parts is held back.
 #include "app/output/standard_streams.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 
 #include "util/visible_text.h"
@@ -24,13 +21,6 @@ std::size_t begunCharacter(std::string_view text) {
 }
 
 }  // namespace
-
-void openMissingStandardFiles() {
-  for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    // open() takes the lowest free number, which is this one.
-    if (fcntl(file, F_GETFD) < 0) (void)open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
-  }
-}
 
 HarmlessOutput::~HarmlessOutput() {
   sync();

@@ -1,5 +1,5 @@
-// The standard streams of the program: all three are open, and what is printed cannot steer the terminal, whichever
-// title, file name or message of another program is in it. Must not know: what is printed.
+// The standard streams of the program: what is printed cannot steer the terminal, whichever title, file name or message
+// of another program is in it. Must not know: what is printed.
 #pragma once
 
 #include <ios>
@@ -7,10 +7,6 @@
 #include <string>
 
 namespace tyg {
-
-/// Opens those of the three standard files that the program was started without, so that no file of its own gets their
-/// numbers and the messages with them. Nothing can be read from them or written to them. To be called first.
-void openMissingStandardFiles();
 
 /// While it lives, what a stream prints goes through withoutActive() (util/visible_text.h).
 class HarmlessOutput final : public std::streambuf {

@@ -6,10 +6,40 @@
 #include <stdexcept>
 #include <string>
 
-#include "gfx/contexts/egl_context.h"
 #include "gfx/contexts/offscreen_kinds.h"
 
+#ifdef _WIN32
+#include "gfx/contexts/wgl_context.h"
+#else
+#include "gfx/contexts/egl_context.h"
+#endif
+
 namespace tyg {
+
+#ifdef _WIN32
+
+namespace {
+
+class WglComputeContext final : public ComputeContext {
+ public:
+  [[nodiscard]] Find find() const override { return WglContext::find; }
+
+ private:
+  WglContext context_{kComputeMajor, kComputeMinor};
+};
+
+}  // namespace
+
+std::unique_ptr<ComputeContext> makeComputeContext() {
+  try {
+    return std::make_unique<WglComputeContext>();
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("no driver here offers OpenGL 4.3 ({})", error.what()));
+  }
+}
+
+#else
+
 namespace {
 
 class EglComputeContext final : public ComputeContext {
@@ -46,5 +76,7 @@ std::unique_ptr<ComputeContext> makeComputeContext() {
 #endif
   throw std::runtime_error("no driver here offers OpenGL 4.3 (" + failures + ")");
 }
+
+#endif
 
 }  // namespace tyg

@@ -17,8 +17,8 @@ class ComputeContext {
   [[nodiscard]] virtual Find find() const = 0;
 };
 
-/// Of the first card that has one, else of EGL without a card, else of OSMesa. Throws std::runtime_error that says why
-/// none of them has.
+/// Of the first card that has one, else of EGL without a card, else of OSMesa; on Windows of WGL. Throws
+/// std::runtime_error that says why none of them has.
 std::unique_ptr<ComputeContext> makeComputeContext();
 
 }  // namespace tyg

@@ -1,4 +1,6 @@
 // Extensions are looked up by name: libraries without them still start.
+#ifndef _WIN32
+
 #include "gfx/contexts/egl_context.h"
 
 #include <fmt/core.h>
@@ -91,3 +93,5 @@ EglContext::~EglContext() {
 }
 
 }  // namespace tyg
+
+#endif

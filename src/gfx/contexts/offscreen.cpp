@@ -13,7 +13,9 @@
 
 namespace tyg {
 namespace {
-#ifdef TYG_HAVE_OSMESA
+#ifdef _WIN32
+constexpr std::array kKinds{OffscreenKind::Wgl};
+#elif defined(TYG_HAVE_OSMESA)
 constexpr std::array kKinds{OffscreenKind::OsMesa, OffscreenKind::Egl};
 #else
 constexpr std::array kKinds{OffscreenKind::Egl};
@@ -21,7 +23,9 @@ constexpr std::array kKinds{OffscreenKind::Egl};
 constexpr int kLargest = 16384;  // what today's Mesa can draw into
 }  // namespace
 
-std::string_view nameOf(OffscreenKind kind) { return kind == OffscreenKind::OsMesa ? "OSMesa" : "EGL"; }
+std::string_view nameOf(OffscreenKind kind) {
+  return kind == OffscreenKind::OsMesa ? "OSMesa" : kind == OffscreenKind::Egl ? "EGL" : "WGL";
+}
 
 std::span<const OffscreenKind> offscreenKinds() { return kKinds; }
 
@@ -63,9 +67,15 @@ std::unique_ptr<Offscreen> makeOffscreen(OffscreenKind kind, int width, int heig
     return makeOsMesaOffscreen(width, height);
   }
 #endif
+#ifdef _WIN32
+  if (kind == OffscreenKind::Wgl) {
+    return makeWglOffscreen(width, height);
+  }
+#else
   if (kind == OffscreenKind::Egl) {
     return makeEglOffscreen(width, height);
   }
+#endif
   throw std::runtime_error(fmt::format("this program was built without {}", nameOf(kind)));
 }
 

@@ -1,5 +1,5 @@
 // An OpenGL 3.3 core context without a window or a display: OSMesa where the program was built with it, or EGL
-// surfaceless. Must not know: what is drawn.
+// surfaceless; on Windows WGL with a window that is never shown. Must not know: what is drawn.
 #pragma once
 
 #include <memory>
@@ -10,8 +10,8 @@
 
 namespace tyg {
 
-enum class OffscreenKind { OsMesa, Egl };
-/// `OSMesa`, `EGL`.
+enum class OffscreenKind { OsMesa, Egl, Wgl };
+/// `OSMesa`, `EGL`, `WGL`.
 std::string_view nameOf(OffscreenKind kind);
 /// The kinds that this program was built with, the preferred one first.
 std::span<const OffscreenKind> offscreenKinds();

@@ -8,8 +8,9 @@
 
 namespace tyg {
 
-/// Each throws std::runtime_error that says which step failed.
+/// Each throws std::runtime_error that says which step failed; WGL is on Windows, the others elsewhere.
 std::unique_ptr<Offscreen> makeEglOffscreen(int width, int height);
+std::unique_ptr<Offscreen> makeWglOffscreen(int width, int height);
 #ifdef TYG_HAVE_OSMESA
 std::unique_ptr<Offscreen> makeOsMesaOffscreen(int width, int height);
 std::unique_ptr<ComputeContext> makeOsMesaComputeContext();

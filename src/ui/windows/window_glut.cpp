@@ -1,13 +1,11 @@
 // The window by freeglut. It calls back without a place for our data, ends the process where it meets trouble, and
-// says nothing of lost focus: an X connection of our own asks first, and watches the focus.
+// says nothing of lost focus: GlutSystem asks first, and watches the focus.
 // Must not know: the cloth, what a key means.
 #include <glad/gl.h>
 // glad first: freeglut must not bring an OpenGL header of its own.
 #include <GL/freeglut.h>
-#include <X11/Xlib.h>
 #include <backends/imgui_impl_glut.h>
 #include <imgui.h>
-#include <poll.h>
 
 #include <algorithm>
 #include <array>
@@ -15,14 +13,11 @@
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
-#include <thread>
 #include <vector>
 
+#include "ui/windows/glut_system.h"
 #include "ui/windows/overlay_inputs.h"
 #include "ui/windows/window.h"
-
-// Xlib's macro would hide everything of that name.
-#undef None
 
 namespace tyg {
 namespace {
@@ -45,33 +40,13 @@ void onGlutError(const char* format, va_list arguments) {
   std::vsnprintf(text.data(), text.size(), format, arguments);
   endHere(text.data());
 }
-int onXError(::Display* display, XErrorEvent* error) {
-  std::array<char, 256> text{};
-  XGetErrorText(display, error->error_code, text.data(), static_cast<int>(text.size()));
-  endHere(text.data());
-}
-
-struct CloseDisplay {
-  void operator()(::Display* display) const { XCloseDisplay(display); }
-};
-using DisplayHandle = std::unique_ptr<::Display, CloseDisplay>;
-
-DisplayHandle connect() {
-  DisplayHandle display(XOpenDisplay(nullptr));
-  if (!display) throw NoDisplay("no display to open a window on (no X server answers)");
-  int opcode = 0, event = 0, error = 0;
-  if (XQueryExtension(display.get(), "GLX", &opcode, &event, &error) == 0) {
-    throw WindowError("this display gives no OpenGL 3.3 window (it has no GLX)");
-  }
-  return display;
-}
 
 class GlutWindow;
 GlutWindow* theWindow = nullptr;
 
 class GlutWindow final : public Window {
  public:
-  explicit GlutWindow(const WindowOptions& options) : display_(connect()) {
+  explicit GlutWindow(const WindowOptions& options) : system_(endHere) {
     if (theWindow != nullptr) throw WindowError("only one window at a time");
     events_.reserve(kEventsToExpect);
     open(options);
@@ -95,7 +70,7 @@ class GlutWindow final : public Window {
       watchFocus();
       const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
       if (closed_ || !events_.empty() || left.count() <= 0) return events_;
-      waitForServer(keysDown_ > 0 ? std::min(kNap, left) : left);
+      GlutSystem::wait(keysDown_ > 0 ? std::min(kNap, left) : left);
     }
   }
   void swap() override {
@@ -137,7 +112,6 @@ class GlutWindow final : public Window {
     std::array<char, 4> name{"tyg"};
     std::array<char*, 2> arguments{name.data(), nullptr};
     glutInitErrorFunc(onGlutError);
-    const XErrorHandler before = XSetErrorHandler(onXError);
     glutInit(&count, arguments.data());
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_CONTINUE_EXECUTION);
     glutInitContextVersion(3, 3);
@@ -145,10 +119,9 @@ class GlutWindow final : public Window {
     glutInitDisplayMode(GLUT_RGBA | GLUT_DOUBLE | GLUT_DEPTH);
     glutInitWindowSize(options.size.width, options.size.height);
     window_ = glutCreateWindow(options.title.c_str());
-    XSetErrorHandler(before);
-    if (gladLoadGL(loadFunction) == 0) throw WindowError("this display's OpenGL 3.3 functions cannot be loaded");
+    system_.opened();
+    if (gladLoadGL(GlutSystem::find) == 0) throw WindowError("this display's OpenGL 3.3 functions cannot be loaded");
   }
-  static GLADapiproc loadFunction(const char* name) { return glutGetProcAddress(name); }
 
   static void setCallbacks() {
     glutIgnoreKeyRepeat(1);
@@ -238,7 +211,7 @@ class GlutWindow final : public Window {
   /// While any key is down the focus is watched.
   void count(WindowEvent::Kind kind) {
     keysDown_ = std::max(0, keysDown_ + (kind == WindowEvent::Kind::Press ? 1 : -1));
-    if (keysDown_ == 1 && kind == WindowEvent::Kind::Press) focus_ = focusNow();
+    if (keysDown_ == 1 && kind == WindowEvent::Kind::Press) focus_ = system_.focus();
   }
   void key(WindowEvent::Kind kind, unsigned char character) {
     const int modifiers = glutGetModifiers();
@@ -253,35 +226,18 @@ class GlutWindow final : public Window {
     events_.push_back({.kind = kind, .key = code, .control = control, .shift = (modifiers & GLUT_ACTIVE_SHIFT) != 0});
   }
 
-  /// freeglut cannot wait for an event by itself: its connection to the server is that of the current context.
-  static void waitForServer(std::chrono::milliseconds longest) {
-    using CurrentDisplay = ::Display* (*)();
-    static const auto currentDisplay = reinterpret_cast<CurrentDisplay>(glutGetProcAddress("glXGetCurrentDisplay"));
-    ::Display* display = currentDisplay != nullptr ? currentDisplay() : nullptr;
-    if (display == nullptr) return std::this_thread::sleep_for(std::min(kNap, longest));
-    if (XPending(display) > 0) return;
-    pollfd connection{.fd = ConnectionNumber(display), .events = POLLIN, .revents = 0};
-    poll(&connection, 1, static_cast<int>(longest.count()));
-  }
-
-  [[nodiscard]] ::Window focusNow() const {
-    ::Window focus = 0;
-    int revertTo = 0;
-    XGetInputFocus(display_.get(), &focus, &revertTo);
-    return focus;
-  }
   /// While a key is down, the focus must stay where it was when the key went down.
   void watchFocus() {
-    if (keysDown_ == 0 || focusNow() == focus_) return;
+    if (keysDown_ == 0 || system_.focus() == focus_) return;
     keysDown_ = 0;
     events_.push_back({.kind = WindowEvent::Kind::FocusLost});
   }
 
-  DisplayHandle display_;
+  GlutSystem system_;
   int window_ = 0;
   std::vector<WindowEvent> events_;
   OverlayInputs inputs_;
-  ::Window focus_ = 0;
+  std::uintptr_t focus_ = 0;
   int keysDown_ = 0;
   bool closed_ = false, hidden_ = false, overlay_ = false;
 };

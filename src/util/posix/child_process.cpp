@@ -15,7 +15,10 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <optional>
 #include <system_error>
+
+#include "util/sudden_end.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves declaring it to the program
 
@@ -86,40 +89,59 @@ bool isOnPath(const std::string& program) {
   return false;
 }
 
+struct ChildProcess::Impl {
+  std::function<bool()> stop;
+  pid_t pid = 0;    // 0 once its end was seen
+  int socket = -1;  // the other end is its standard input, output and error
+  int status = -1;
+  std::optional<Unfinished> running{};
+  std::string printed{};
+
+  ~Impl() {
+    if (pid != 0) end();
+    if (socket >= 0) close(socket);
+  }
+
+  bool readSome();
+  bool hasEnded();
+  void end();
+  void forget(int ending);
+};
+
 ChildProcess::ChildProcess(const std::vector<std::string>& words, const std::filesystem::path& folder,
                            std::function<bool()> stop)
-    : stop_(std::move(stop)) {
+    : impl_(new Impl{.stop = std::move(stop)}) {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) mustBeZero(errno);
-  const int error = Setup(ends[1], folder).spawn(pid_, words);
+  impl_->socket = ends[0];
+  pid_t pid = 0;
+  const int error = Setup(ends[1], folder).spawn(pid, words);
   close(ends[1]);
-  if (error != 0) close(ends[0]);
   mustBeZero(error);
-  socket_ = ends[0];
-  running_.emplace(pid_);
+  impl_->pid = pid;
+  impl_->running.emplace(ProcessGroup{pid});
 }
 
-ChildProcess::~ChildProcess() {
-  if (pid_ != 0) end();
-  close(socket_);
-}
+ChildProcess::~ChildProcess() = default;
+
+const std::string& ChildProcess::printed() const { return impl_->printed; }
 
 /// Takes what is there to be read, waiting for it if need be. Returns false where nothing will come any more.
-bool ChildProcess::readSome() {
+bool ChildProcess::Impl::readSome() {
   std::array<char, 4096> buffer{};
-  const ssize_t count = recv(socket_, buffer.data(), buffer.size(), 0);
-  if (count > 0 && printed_.size() < kMostPrinted) printed_.append(buffer.data(), static_cast<std::size_t>(count));
+  const ssize_t count = recv(socket, buffer.data(), buffer.size(), 0);
+  if (count > 0 && printed.size() < kMostPrinted) printed.append(buffer.data(), static_cast<std::size_t>(count));
   return count > 0 || (count < 0 && errno == EINTR);
 }
 
 bool ChildProcess::write(std::string_view bytes, double seconds) {
   Clock::time_point latest = after(seconds);
   while (!bytes.empty()) {
-    const short ready = awaited(socket_, POLLIN | POLLOUT, kTenthOfASecond);
-    if (stop_() || Clock::now() > latest) return false;
-    if ((ready & POLLIN) != 0 && !readSome()) return false;
+    const short ready = awaited(impl_->socket, POLLIN | POLLOUT, kTenthOfASecond);
+    if (impl_->stop() || Clock::now() > latest) return false;
+    if ((ready & POLLIN) != 0 && !impl_->readSome()) return false;
     if ((ready & (POLLOUT | POLLHUP | POLLERR)) == 0) continue;
-    const ssize_t sent = send(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+    const ssize_t sent = send(impl_->socket, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
     if (sent < 0 && errno != EINTR && errno != EAGAIN) return false;
     if (sent > 0) latest = after(seconds);
     bytes.remove_prefix(sent < 0 ? 0 : static_cast<std::size_t>(sent));
@@ -129,44 +151,44 @@ bool ChildProcess::write(std::string_view bytes, double seconds) {
 
 ChildProcess::Ending ChildProcess::wait(double seconds) {
   const Clock::time_point latest = after(seconds);
-  shutdown(socket_, SHUT_WR);
-  for (bool open = true; pid_ != 0;) {
+  shutdown(impl_->socket, SHUT_WR);
+  for (bool open = true; impl_->pid != 0;) {
     // It may close its outputs and go on; what it has started may keep them open and go on without it.
-    const short ready = open ? awaited(socket_, POLLIN, kTenthOfASecond) : awaited(-1, 0, kHundredthOfASecond);
-    if (ready != 0) open = readSome();
-    if (ready == 0 || !open) (void)hasEnded();
-    if (pid_ != 0 && (stop_() || Clock::now() > latest)) {
-      const bool stopped = stop_();
-      end();
+    const short ready = open ? awaited(impl_->socket, POLLIN, kTenthOfASecond) : awaited(-1, 0, kHundredthOfASecond);
+    if (ready != 0) open = impl_->readSome();
+    if (ready == 0 || !open) (void)impl_->hasEnded();
+    if (impl_->pid != 0 && (impl_->stop() || Clock::now() > latest)) {
+      const bool stopped = impl_->stop();
+      impl_->end();
       return {stopped ? Ending::Kind::Stopped : Ending::Kind::TooLate};
     }
   }
   constexpr int kMostReads = 1024;  // of last words; what it has started may print without end
-  for (int k = 0; k < kMostReads && awaited(socket_, POLLIN, 0) != 0 && readSome(); ++k) {
+  for (int k = 0; k < kMostReads && awaited(impl_->socket, POLLIN, 0) != 0 && impl_->readSome(); ++k) {
   }
-  return {Ending::Kind::ByItself, status_};
+  return {Ending::Kind::ByItself, impl_->status};
 }
 
-bool ChildProcess::hasEnded() {
-  int status = 0;
-  const pid_t ended = waitpid(pid_, &status, WNOHANG);
+bool ChildProcess::Impl::hasEnded() {
+  int ending = 0;
+  const pid_t ended = waitpid(pid, &ending, WNOHANG);
   if (ended == 0 || (ended < 0 && errno == EINTR)) return false;
-  forget(status);
+  forget(ending);
   return true;
 }
 
-void ChildProcess::end() {
-  kill(-pid_, SIGKILL);
-  int status = 0;
-  while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+void ChildProcess::Impl::end() {
+  kill(-pid, SIGKILL);
+  int ending = 0;
+  while (waitpid(pid, &ending, 0) < 0 && errno == EINTR) {
   }
-  forget(status);
+  forget(ending);
 }
 
-void ChildProcess::forget(int status) {
-  running_.reset();
-  pid_ = 0;
-  status_ = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+void ChildProcess::Impl::forget(int ending) {
+  running.reset();
+  pid = 0;
+  status = WIFEXITED(ending) ? WEXITSTATUS(ending) : -1;
 }
 
 }  // namespace tyg

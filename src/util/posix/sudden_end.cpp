@@ -89,7 +89,7 @@ Unfinished::Unfinished(const std::filesystem::path& file)
         std::strncpy(slot.path.data(), file.c_str(), slot.path.size() - 1);  // a longer one could not be opened
       })) {}
 
-Unfinished::Unfinished(pid_t processGroup) : slot_(takeSlot([&](Slot& slot) { slot.group = processGroup; })) {}
+Unfinished::Unfinished(ProcessGroup group) : slot_(takeSlot([&](Slot& slot) { slot.group = group.number; })) {}
 
 Unfinished::~Unfinished() {
   if (slot_ >= 0) slots.at(static_cast<std::size_t>(slot_)).state = Slot::Free;
