@@ -14,9 +14,10 @@ cd "$work"
 chart() {
   cat - >chart.gp
   gnuplot -d -e "set terminal pngcairo size 960,400 enhanced background '#ffffff' font 'DejaVu Sans,13';
-    set output '$pictures/exploding-$1.png'; set datafile separator comma; set grid lc '#d8d8d8';
+    set output 'chart.png'; set datafile separator comma; set grid lc '#d8d8d8';
     set border lc '#888888'; set key outside right center Left reverse spacing 1.3; set lmargin 11;
     blue = '#0072b2'; orange = '#d55e00'; green = '#009e73'; purple = '#cc79a7'" chart.gp
+  mv chart.png "$pictures/exploding-$1.png"
 }
 
 # The step: the kinetic energy below the limit, a little past it, and far past it. Four steps a row.

@@ -67,7 +67,7 @@ class CardIntegrator final : public Integrator<float> {
   }
 
  private:
-  [[nodiscard]] CardActing actingOn(const Forces<float>& forces, const std::vector<double>& times) const;
+  [[nodiscard]] static CardActing actingOn(const Forces<float>& forces, const std::vector<double>& times);
   void bringToCard(const State<float>& state);
   static void addPowerOfPins(const Forces<float>& forces, const State<float>& state, const std::vector<float>& felt,
                              std::vector<Power>& powers);
@@ -83,32 +83,43 @@ class CardIntegrator final : public Integrator<float> {
   VectorField<float> kept_{};  // that force, where this is a copy that has not been used
 };
 
+/// How many numbers of a gust and of a body kernels/air.glsl and kernels/contact.glsl expect.
+constexpr std::size_t kGustSize = 7, kSolidSize = 12;
+
+template <std::size_t count>
+void add(const float (&from)[count], std::vector<float>& to) {
+  to.insert(to.end(), std::begin(from), std::end(from));
+}
+
+void addGusts(const AirTerm::Numbers<float>& air, CardActing& acting, CardActing::Moment& moment) {
+  std::ranges::copy(air.steady, moment.steadyWind.begin());
+  moment.firstGust = int(acting.gusts.size() / kGustSize);
+  for (const AirTerm::Gusts<float>* gusts = air.firstGusts; gusts != air.endGusts; ++gusts) {
+    add(gusts->amplitude, acting.gusts), add(gusts->wave, acting.gusts);
+    acting.gusts.push_back(gusts->phase);
+  }
+  moment.endGust = int(acting.gusts.size() / kGustSize);
+}
+
+void addSolids(const ContactTerm::Numbers<float>& contact, CardActing& acting, CardActing::Moment& moment) {
+  moment.firstSolid = int(acting.solids.size() / kSolidSize);
+  for (const ContactTerm::Solid<float>* solid = contact.firstSolid; solid != contact.endSolid; ++solid) {
+    acting.solids.push_back(float(int(solid->shape)));
+    add(solid->at, acting.solids), add(solid->axis, acting.solids);
+    acting.solids.push_back(solid->perSquare), acting.solids.push_back(solid->radius);
+    add(solid->velocity, acting.solids);
+  }
+  moment.endSolid = int(acting.solids.size() / kSolidSize);
+}
+
 /// The moments of all evaluations, worked out by the terms themselves.
-CardActing CardIntegrator::actingOn(const Forces<float>& forces, const std::vector<double>& times) const {
+CardActing CardIntegrator::actingOn(const Forces<float>& forces, const std::vector<double>& times) {
   CardActing acting{.pushes = forces.pushes(), .movingPins = forces.movingPins()};
   for (const double time : times) {
-    const AllTerms::Numbers<float> numbers = forces.numbersAt(time);
-    const AirTerm::Numbers<float>& air = numbers;
-    const ContactTerm::Numbers<float>& contact = numbers;
+    acting.numbers = forces.numbersAt(time);
     CardActing::Moment& moment = acting.moments.emplace_back();
-    std::ranges::copy(air.steady, moment.steadyWind.begin());
-    moment.firstGust = int(acting.gusts.size() / 7);
-    for (const auto* gusts = air.firstGusts; gusts != air.endGusts; ++gusts) {
-      acting.gusts.insert(acting.gusts.end(), std::begin(gusts->amplitude), std::end(gusts->amplitude));
-      acting.gusts.insert(acting.gusts.end(), std::begin(gusts->wave), std::end(gusts->wave));
-      acting.gusts.push_back(gusts->phase);
-    }
-    moment.endGust = int(acting.gusts.size() / 7);
-    moment.firstSolid = int(acting.solids.size() / 12);
-    for (const auto* solid = contact.firstSolid; solid != contact.endSolid; ++solid) {
-      acting.solids.push_back(float(int(solid->shape)));
-      acting.solids.insert(acting.solids.end(), std::begin(solid->at), std::end(solid->at));
-      acting.solids.insert(acting.solids.end(), std::begin(solid->axis), std::end(solid->axis));
-      acting.solids.push_back(solid->perSquare), acting.solids.push_back(solid->radius);
-      acting.solids.insert(acting.solids.end(), std::begin(solid->velocity), std::end(solid->velocity));
-    }
-    moment.endSolid = int(acting.solids.size() / 12);
-    acting.numbers = numbers;
+    addGusts(acting.numbers, acting, moment);
+    addSolids(acting.numbers, acting, moment);
   }
   return acting;
 }

@@ -17,7 +17,7 @@ TEST(Chart, WritesRowsScriptAndPictures) {
                        "rms_error_m,max_error_m,energy_drift,floor_m,horizon_s,status,device\n",
                        0),
             0U);
-  for (const char* part : {"curtain,4,4,leapfrog,double,", "curtain,4,4,rk4,float,", ",unstable\n", ",ok\n"}) {
+  for (const char* part : {"curtain,4,4,leapfrog,double,", "curtain,4,4,rk4,float,", ",unstable,cpu\n", ",ok,cpu\n"}) {
     EXPECT_TRUE(holds(rows, part)) << part;
   }
   EXPECT_EQ(contentsOf(folder / "made/here/chart.png").substr(0, 4), "\x89PNG");
