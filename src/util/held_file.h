@@ -13,7 +13,7 @@ namespace tyg {
 class HeldFile {
  public:
   HeldFile() = default;
-  ~HeldFile();  ///< lets go of it; the file stays
+  ~HeldFile() { letGo(); }
   HeldFile(const HeldFile&) = delete;
   HeldFile& operator=(const HeldFile&) = delete;
 
@@ -22,6 +22,8 @@ class HeldFile {
   std::error_code write(std::string_view bytes);
   /// Waits until the file is on the disk; `bytes` becomes its size.
   std::error_code flush(std::uint64_t& bytes);
+  /// Holds it no longer; the file stays. Windows replaces no file that anybody holds.
+  void letGo();
 
  private:
   static constexpr std::intptr_t kNone = -1;

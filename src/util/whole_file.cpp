@@ -126,6 +126,7 @@ void WholeFile::keep() {
   if (size == 0) refuse(path_, "nothing was written to it");
   fs::rename(temporary_, path_, error);
   if (error) refuse(path_, error.message());
+  file_.letGo();
   kept_ = true;
 }
 

@@ -19,12 +19,6 @@ TEST(FreeName, TakesNoOtherFilesPlace) {
   EXPECT_EQ(freeName(folder.path(), "a", ".toml"), folder / "a-3.toml");
 }
 
-TEST(FreeName, IsNotThatOfALinkThatLeadsNowhere) {
-  const Folder folder;
-  std::filesystem::create_symlink("nowhere", folder / "a.toml");
-  EXPECT_EQ(freeName(folder.path(), "a", ".toml"), folder / "a-2.toml");
-}
-
 TEST(FreeStem, IsFreeWithEveryEnding) {
   constexpr std::array<std::string_view, 2> kEndings{".png", ".csv"};
   const Folder folder;

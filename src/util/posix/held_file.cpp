@@ -29,8 +29,9 @@ bool isOwn(int descriptor) {
 
 }  // namespace
 
-HeldFile::~HeldFile() {
+void HeldFile::letGo() {
   if (file_ != kNone) close(int(file_));
+  file_ = kNone;
 }
 
 std::error_code HeldFile::create(const fs::path& path) {

@@ -16,8 +16,9 @@ HANDLE handleOf(std::intptr_t file) { return reinterpret_cast<HANDLE>(file); }
 
 }  // namespace
 
-HeldFile::~HeldFile() {
+void HeldFile::letGo() {
   if (file_ != kNone) CloseHandle(handleOf(file_));
+  file_ = kNone;
 }
 
 std::error_code HeldFile::create(const fs::path& path) {
