@@ -37,6 +37,8 @@ TEST_F(ReferenceCommand, WritesAMotionThatTheCheckCallsRightToRounding) {
   const Outcome checked = tyg("check four-particles " + file("exact.csv") + " --within 1e-9 --json");
   EXPECT_EQ(checked.code, 0) << checked.out << checked.err;
   EXPECT_EQ(jsonValue(checked.out, "mistake"), "null");
+  const Outcome told = tyg("check four-particles " + file("exact.csv"));
+  EXPECT_TRUE(holds(told.out, "Rounding errors alone make differences of this size")) << told.out;
 }
 
 TEST_F(ReferenceCommand, WritesTheSameNumbersInTheWideForm) {

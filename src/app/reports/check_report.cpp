@@ -60,6 +60,7 @@ std::string errorTable(const CheckReport& report) {
 std::string horizonLine(const MotionCheck& check) {
   const double horizon = check.reference.horizonOf(check.error, Precision::Double);
   if (check.error == 0 || horizon >= check.scene.duration) return "";
+  if (!(horizon > 0)) return paragraph("Rounding errors alone make differences of this size in this cloth.");
   return paragraph(fmt::format(
       "Past {} rounding errors alone make differences of this size in this cloth: errors there tell nothing.",
       timeText(horizon)));
