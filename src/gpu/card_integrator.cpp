@@ -5,10 +5,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
-#include "core/forces/term.h"
 #include "tyg/input_error.h"
+#include "util/text.h"
 
 namespace tyg {
 namespace {
@@ -56,7 +58,7 @@ class CardIntegrator final : public Integrator<float> {
   void steps(Forces<float>& forces, State<float>& state, const StepTimes& times, int count) override;
   void reset() override { stateIsOnCard_ = hasForce_ = false; }
   void useParameters(const Scene& scene, const Sheet& sheet) override {
-    refuseOnCard(*card_, sheet);
+    refuseOnCard(*card_, scene, sheet);
     sheet_ = sheet, terms_ = termsOf(scene, sheet);
     sheetIsOnCard_ = false;
     reset();
@@ -191,7 +193,18 @@ std::unique_ptr<Integrator<float>> CardIntegrator::clone() const {
 
 }  // namespace
 
-void refuseOnCard(const Card& card, const Sheet& sheet) {
+void refuseTermsWithoutKernel(const Scene& scene, std::span<const ForceTerm* const> terms) {
+  constexpr std::array<std::string_view, 7> kKernels{"structural", "shear", "bend",   "gravity",
+                                                     "drag",       "air",   "contact"};
+  for (const ForceTerm* term : terms) {
+    if (!hasTerm(scene, *term) || std::ranges::find(kKernels, term->name) != kKernels.end()) continue;
+    throw InputError(fmt::format("device: found a scene with {}, allowed on the graphics card are {}", term->name,
+                                 joined(kKernels)));
+  }
+}
+
+void refuseOnCard(const Card& card, const Scene& scene, const Sheet& sheet) {
+  refuseTermsWithoutKernel(scene, forceTerms());
   const std::size_t bytes = 3 * sizeof(float) * std::size_t(Layout(sheet).plane);
   if (bytes > card.largestBuffer()) {
     throw InputError(fmt::format(
@@ -202,7 +215,7 @@ void refuseOnCard(const Card& card, const Sheet& sheet) {
 
 std::unique_ptr<Integrator<float>> makeCardIntegrator(std::shared_ptr<Card> card, const Scheme& scheme,
                                                       const Scene& scene, const Sheet& sheet) {
-  refuseOnCard(*card, sheet);
+  refuseOnCard(*card, scene, sheet);
   return std::make_unique<CardIntegrator>(std::move(card), scheme, scene, sheet);
 }
 

@@ -2,15 +2,19 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
+#include "core/forces/term.h"
 #include "core/simulation/integrator.h"
 #include "gpu/card.h"
 #include "gpu/scheme.h"
 
 namespace tyg {
 
-/// Throws InputError with the reason where the card does not take the sheet.
-void refuseOnCard(const Card& card, const Sheet& sheet);
+/// Throws InputError with the reason where the card does not take the sheet, or has no kernel for a term of the scene.
+void refuseOnCard(const Card& card, const Scene& scene, const Sheet& sheet);
+/// The latter, of these terms.
+void refuseTermsWithoutKernel(const Scene& scene, std::span<const ForceTerm* const> terms);
 
 /// Copies the state to the card where something else has changed it, and back after the steps: up to 64 steps lie
 /// between two copies, and energies, events and pictures find the state where they look for it.

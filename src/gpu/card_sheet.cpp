@@ -5,7 +5,6 @@
 #include <fmt/core.h>
 
 #include <bit>
-#include <type_traits>
 
 namespace tyg {
 namespace {
@@ -14,11 +13,6 @@ constexpr unsigned kKinds = 2, kPushes = 9, kPinForces = 10, kGusts = 11, kSolid
 constexpr int kGroupColumns = 32, kGroupRows = 4;  // particles of a work group, as kernels/fields.glsl has them
 constexpr std::uint32_t kPin = 128;                // of a kind
 constexpr unsigned kMovingShift = 8;
-
-static_assert(
-    std::is_same_v<AllTerms,
-                   TermList<StructuralSprings, ShearSprings, BendSprings, Gravity, Drag, AirTerm, ContactTerm>>,
-    "the kernels know these terms and no other: add the new one there");
 
 std::array<float, 3> lawOf(const SpringLaw<float>& law) { return {law.ks, law.ksTimesRest, law.kd}; }
 std::array<float, 3> arrayOf(const float (&v)[3]) { return {v[0], v[1], v[2]}; }

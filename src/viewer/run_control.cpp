@@ -21,6 +21,9 @@ constexpr double kBackSeconds = 0.25;
 /// A replay shows this much again, simulated s.
 constexpr double kReplaySeconds = 1;
 
+/// As Simulation::check() says.
+constexpr std::int64_t kStepsBetweenChecks = 64;
+
 }  // namespace
 
 std::string_view nameOf(RunState state) {
@@ -255,11 +258,10 @@ void RunControl::show() {
 
 /// Whether the next energy check finds the run unstable, as a look between two of them does. The simulation stays here.
 bool RunControl::failsAhead() {
-  constexpr int kTicks = 64;  // a check comes every 64 steps, and a tick is a step at least
   if (simulation_.status() != Status::Ok) return true;
   const Snapshot here = simulation_.save();
   ticks_.begin();
-  simulation_.tick(kTicks);
+  simulation_.tick(kStepsBetweenChecks);  // a tick is a step at least
   const bool fails = simulation_.status() != Status::Ok || ticks_.takeStall();
   simulation_.restore(here);
   return fails;
@@ -270,11 +272,10 @@ bool RunControl::failsAhead() {
 /// waiting, the present tick is the one.
 void RunControl::goBackToAlarm() {
   constexpr int kMostParticles = 20000;
-  constexpr std::int64_t kSteps = 64;  // from check to check
   const std::int64_t here = simulation_.ticks(), steps = simulation_.steps();
   if (simulation_.sheet().count() > kMostParticles || here <= history_.first().ticks) return;
   simulation_.keepGoing(true);
-  history_.turnTo(simulation_, here - 1 - (steps + kSteps - 1) % kSteps);
+  history_.turnTo(simulation_, here - 1 - (steps + kStepsBetweenChecks - 1) % kStepsBetweenChecks);
   ticks_.begin();
   history_.tick(simulation_, history_.target() - simulation_.ticks());
   while (shown_.take(simulation_, false) && simulation_.ticks() < here) {

@@ -1,7 +1,12 @@
 // What the card does not take is refused with a reason.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <string>
+
 #include "card_here.h"
+#include "core/forces/terms/drag.h"
+#include "gpu/card_integrator.h"
 #include "tyg/input_error.h"
 
 namespace tyg {
@@ -42,6 +47,18 @@ TEST_F(Refusals, OfAMethodLeaveTheRunAsItWas) {
   there.tick(3);
   EXPECT_EQ(there.method().name, "rk4");
   EXPECT_EQ(hashText(there), hashText(here));
+}
+
+TEST(TermsWithoutKernel, AreRefusedWhereASceneHasThem) {
+  ForceTerm magnet = Drag::kTerm;
+  magnet.name = "magnet";
+  const std::array<const ForceTerm*, 1> terms{&magnet};
+  Scene scene = loadScene("curtain");
+  EXPECT_EQ(refusalOf([&] { refuseTermsWithoutKernel(scene, terms); }), "nothing was refused");
+  scene.drag = 0.1;
+  EXPECT_NE(refusalOf([&] { refuseTermsWithoutKernel(scene, terms); }).find("found a scene with magnet"),
+            std::string::npos);
+  EXPECT_EQ(refusalOf([&] { refuseTermsWithoutKernel(scene, forceTerms()); }), "nothing was refused");
 }
 
 TEST(NoCard, IsSaidWithTheReason) {

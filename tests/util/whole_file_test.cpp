@@ -7,21 +7,13 @@
 
 #include "files.h"
 #include "tyg/scene.h"
+#include "util/refusal_of.h"
 #include "util/whole_file.h"
 
 namespace tyg::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string refusalOf(const fs::path& path) {
-  try {
-    checkWritable(path);
-  } catch (const InputError& mistake) {
-    return mistake.what();
-  }
-  return "nothing was refused";
-}
 
 TEST(WholeFile, IsWrittenByteForByteAndAlone) {
   const Folder folder;
