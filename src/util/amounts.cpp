@@ -93,4 +93,9 @@ std::string timeText(double seconds) {
   return three(1e6 * seconds) + " us";
 }
 
+double roundedDown(double number) {
+  const double unit = std::pow(10.0, std::floor(std::log10(number)) - 1);
+  return std::floor(number / unit * (1 + 1e-12)) * unit;
+}
+
 }  // namespace tyg

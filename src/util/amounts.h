@@ -24,4 +24,7 @@ std::string lengthText(double metres);
 /// A time for people: `12.3 us`, `4 ms`, `1.5 s`.
 std::string timeText(double seconds);
 
+/// Two significant digits of a number above 0, rounded down: what is advised must not lie above what was worked out.
+double roundedDown(double number);
+
 }  // namespace tyg

@@ -101,6 +101,36 @@ class Picker {
   std::optional<int> beside_, onCloth_;
 };
 
+glm::vec3 vec(const Vec3& v) { return {float(v.x), float(v.y), float(v.z)}; }
+
+/// From a place to the surface of a ball, a capsule or a box; not above 0 inside, m.
+float distanceTo(const Body& body, const glm::vec3& place) {
+  glm::vec3 from = place - vec(body.at);
+  if (body.shape == Shape::Capsule) {
+    const glm::vec3 axis = vec(body.axis);
+    from -= std::clamp(glm::dot(from, axis) / glm::dot(axis, axis), 0.0F, 1.0F) * axis;
+  } else if (body.shape == Shape::Box) {
+    const glm::vec3 core = vec(body.half) - float(body.radius);
+    from -= glm::clamp(from, -core, core);
+  }
+  return glm::length(from) - float(body.radius);
+}
+
+/// How far along a ray the surface of a body begins, m. No surface is nearer than the distance to it, so the ray may go
+/// on by that much (Hart, sphere tracing, 1996).
+std::optional<float> distanceAlong(const Ray& ray, const Body& body) {
+  constexpr int kMostSteps = 200;
+  constexpr float kNear = 1e-4F;  // of the way so far
+  float along = 0;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const float distance = distanceTo(body, ray.origin + along * ray.direction);
+    if (!std::isfinite(distance)) break;
+    if (distance <= kNear * along) return along;
+    along += distance;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Ray sightLine(const Camera& camera, glm::vec2 cursor, glm::vec2 window) {
@@ -157,6 +187,16 @@ std::optional<int> pickParticle(const Camera& camera, glm::vec2 cursor, glm::vec
     std::swap(above, row);
   }
   return picker.picked();
+}
+
+std::optional<PickedBody> pickBody(const Ray& ray, std::span<const Body> bodies) {
+  std::optional<PickedBody> picked;
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    if (bodies[k].shape == Shape::Plane) continue;
+    const std::optional<float> distance = distanceAlong(ray, bodies[k]);
+    if (distance && *distance > 0 && (!picked || *distance < picked->distance)) picked = PickedBody{k, *distance};
+  }
+  return picked;
 }
 
 }  // namespace tyg

@@ -1,4 +1,4 @@
-// Which particle a cursor points at, and what of a cloth is seen.
+// Which particle or which body a cursor points at, and what of a cloth is seen.
 // Must not know: OpenGL, windows, what is done with the particle.
 #pragma once
 
@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include "tyg/scene.h"
 #include "tyg/sheet.h"
 #include "view/camera.h"
 
@@ -38,5 +39,14 @@ inline constexpr float kPickRadius = 12;
 /// `xyz` holds 3 * sheet.count() numbers; particles that are not finite or behind the eye are never picked.
 std::optional<int> pickParticle(const Camera& camera, glm::vec2 cursor, glm::vec2 window, const Sheet& sheet,
                                 std::span<const float> xyz, float radius = kPickRadius);
+
+/// A body that a line of sight meets.
+struct PickedBody {
+  std::size_t body;  ///< its place in the list
+  float distance;    ///< m, from the eye to its surface
+};
+/// The first ball, capsule or box that a line of sight meets, from outside. Planes are never picked: a floor is
+/// everywhere.
+std::optional<PickedBody> pickBody(const Ray& ray, std::span<const Body> bodies);
 
 }  // namespace tyg

@@ -11,6 +11,7 @@
 #include "study/limits/measured_limit.h"
 #include "study/limits/stability.h"
 #include "tyg/methods.h"
+#include "util/amounts.h"
 
 namespace tyg {
 namespace {
@@ -72,11 +73,6 @@ double smallerStep(const Simulation& simulation) {
 }
 
 }  // namespace
-
-double roundedDown(double step) {
-  const double unit = std::pow(10.0, std::floor(std::log10(step)) - 1);
-  return std::floor(step / unit * (1 + 1e-12)) * unit;
-}
 
 const Method* methodThatHolds(const Scene& scene, const Method& failed, double step, double share) {
   for (const Method& method : methods()) {

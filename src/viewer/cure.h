@@ -8,8 +8,6 @@
 
 namespace tyg {
 
-/// Two significant digits, rounded down: what is advised must not lie above what was worked out. step > 0, s.
-double roundedDown(double step);
 /// The first method, in the table's order, that is predicted to stay stable with this step (s) and takes the scene;
 /// null where there is none. `share`, in (0, 1]: how much of the limits at rest is left in the cloth as it is.
 const Method* methodThatHolds(const Scene& scene, const Method& failed, double step, double share = 1);

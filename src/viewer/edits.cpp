@@ -10,7 +10,7 @@
 namespace tyg {
 
 void Edits::follow(const Viewer& viewer) {
-  if (viewer.run().seeking() || viewer.run().timeline().past || viewer.keyHeld())
+  if (viewer.run().seeking() || viewer.run().timeline().past || viewer.keyHeld() || viewer.tools().pressed())
     return;  // in the past: it was set then, not now
   if (std::exchange(run_, viewer.scenes().runsSoFar()) != viewer.scenes().runsSoFar()) {
     versions_.rewrite([](Setup& setup) { setup.hands = {}; });  // of a run that is over

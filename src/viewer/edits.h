@@ -25,7 +25,7 @@ class Edits {
   explicit Edits(const Viewer& viewer) : versions_(setupOf(viewer)) { follow(viewer); }
 
   /// To be called once a frame, but not while a slider is held: everything that differs since the last call is one
-  /// change. While a key is held nothing is noted, so that all it does is one change as well.
+  /// change. While a key or the button of a tool is held nothing is noted, so that all it does is one change as well.
   void follow(const Viewer& viewer);
   [[nodiscard]] bool canUndo() const { return versions_.canUndo(); }
   [[nodiscard]] bool canRedo() const { return versions_.canRedo(); }

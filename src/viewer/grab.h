@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include "viewer/held_point.h"
 #include "viewer/tool.h"
 
 namespace tyg {
@@ -17,9 +18,9 @@ class Grab {
   /// Takes hold of a particle, which stays `aside` of the cursor (pixels) from then on. Where time stands still the
   /// grab waits until it passes.
   void begin(const ToolScope& scope, int particle, glm::vec2 cursor, glm::vec2 aside);
-  void move(glm::vec2 cursor) { cursor_ = cursor; }
+  void move(glm::vec2 cursor) { point_.move(cursor); }
   /// Farther by so many notches of the wheel.
-  void pushAway(float notches);
+  void pushAway(float notches) { point_.pushAway(notches); }
   /// The particle flies on with the velocity that it has.
   void release(const ToolScope& scope);
   /// The run is over: there is nothing to let go of.
@@ -35,11 +36,10 @@ class Grab {
 
   bool holds_ = false;
   int particle_ = 0;
-  glm::vec2 cursor_{0}, aside_{0};  ///< pixels; from the cursor to the particle
-  float depth_ = 1;                 ///< m, from the eye along the direction in which it looks
-  glm::vec3 wanted_{0};             ///< m
-  Vec3 velocity_;                   ///< m/s, as last logged
-  std::int64_t tick_ = 0;           ///< of the last frame
+  HeldPoint point_;
+  glm::vec3 wanted_{0};    ///< m
+  Vec3 velocity_;          ///< m/s, as last logged
+  std::int64_t tick_ = 0;  ///< of the last frame
 };
 
 }  // namespace tyg

@@ -1,5 +1,6 @@
 // A press is not yet a push: it is one as soon as the button comes up or has been down for a moment without moving, and
-// a grab as soon as the cursor has moved by a few pixels. So no grab begins with a push.
+// a grab as soon as the cursor has moved by a few pixels. So no grab begins with a push. A press on a body that no
+// cloth hides is for the body.
 #include "viewer/hand_tool.h"
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <utility>
 
 #include "view/picking.h"
+#include "viewer/body_grab.h"
 #include "viewer/grab.h"
 #include "viewer/push.h"
 
@@ -21,10 +23,12 @@ class HandTool final : public Tool {
  public:
   bool press(const ToolScope& scope, glm::vec2 cursor) override {
     const std::optional<int> hit = particleNear(scope, cursor, kPickRadius);
+    pressedAt_ = cursor;
+    body_ = BodyGrab::bodyAt(scope, cursor, hit);
+    if (body_) return isDown_ = true;
     if (!hit) return false;
     particle_ = *hit;
     away_ = sightLine(scope.view.camera(), cursor, windowOf(scope)).direction;
-    pressedAt_ = cursor;
     aside_ = placeInWindow(scope.view.camera(), placeOf(scope, particle_), windowOf(scope)) - cursor;
     pressedTime_ = scope.run.now();
     return isDown_ = waits_ = true;
@@ -45,10 +49,17 @@ class HandTool final : public Tool {
 
   void move(const ToolScope& scope, glm::vec2 cursor) override {
     if (grab_.holds()) return grab_.move(cursor);
+    if (bodyGrab_.holds()) return bodyGrab_.move(cursor);
     if (!isDown_ || glm::distance(cursor, pressedAt_) <= kStillPixels) return;
     isDown_ = waits_ = false;
-    push_.release();
     start(scope);
+    if (body_) {
+      bodyGrab_.begin(scope, *body_, pressedAt_);
+      bodyGrab_.move(cursor);
+      ++scope.record.uses;
+      return;
+    }
+    push_.release();
     grab_.begin(scope, particle_, cursor, aside_);
     scope.record.picked = particle_;
     ++scope.record.uses;
@@ -56,6 +67,7 @@ class HandTool final : public Tool {
 
   void release(const ToolScope& scope) override {
     if (waits_) push(scope);
+    if (isDown_ && body_) scope.notes.say("A drag moves this body.");
     letGo(scope);
   }
 
@@ -63,9 +75,11 @@ class HandTool final : public Tool {
     isDown_ = waits_ = false;
     push_.release();
     grab_.release(scope);
+    bodyGrab_.release();
   }
 
   bool scroll(const ToolScope& /*scope*/, float notches) override {
+    if (bodyGrab_.holds()) return bodyGrab_.pushAway(notches), true;
     if (!grab_.holds()) return false;
     grab_.pushAway(notches);
     return true;
@@ -74,10 +88,11 @@ class HandTool final : public Tool {
   void frame(const ToolScope& scope) override {
     if (waits_ && scope.run.now() - pressedTime_ >= kStillSeconds) push(scope);
     grab_.frame(scope);
+    bodyGrab_.frame(scope);
   }
 
   std::int64_t follow(Simulation& simulation, std::int64_t due) override {
-    return std::min(push_.follow(simulation), grab_.follow(simulation, due));
+    return std::min({push_.follow(simulation), grab_.follow(simulation, due), bodyGrab_.follow(simulation, due)});
   }
 
   [[nodiscard]] bool actsAt(std::int64_t tick) const override { return push_.actsAt(tick) || grab_.holds(); }
@@ -86,6 +101,7 @@ class HandTool final : public Tool {
     isDown_ = waits_ = false;
     push_.restart();
     grab_.forget();
+    bodyGrab_.release();
   }
 
   [[nodiscard]] ToolDrawing drawing(const RunControl& run) const override {
@@ -112,7 +128,6 @@ class HandTool final : public Tool {
     if (scope.run.state() == RunState::Waiting) scope.run.goOn();
   }
 
-  static glm::vec2 windowOf(const ToolScope& scope) { return {scope.view.pixels().width, scope.view.pixels().height}; }
   static std::optional<int> particleNear(const ToolScope& scope, glm::vec2 cursor, float pixels) {
     const RunControl& run = scope.run;
     return pickParticle(scope.view.camera(), cursor, windowOf(scope), run.simulation().sheet(), run.shown().positions(),
@@ -132,8 +147,10 @@ class HandTool final : public Tool {
 
   HeldPush push_;
   Grab grab_;
-  bool isDown_ = false;  ///< and may become a grab
-  bool waits_ = false;   ///< and may become a push
+  BodyGrab bodyGrab_;
+  std::optional<PickedBody> body_;  ///< under the cursor when the button went down
+  bool isDown_ = false;             ///< and may become a grab
+  bool waits_ = false;              ///< and may become a push
   int particle_ = 0;
   glm::vec3 away_{0, 0, 1};  ///< along which a push goes, a unit vector
   glm::vec2 pressedAt_{0};   ///< pixels

@@ -1,5 +1,5 @@
 // The hand: a click pushes the particle under the cursor away from the eye, and holding the button still goes on; a
-// drag grabs the particle. Must not know: windows, which button uses it.
+// drag grabs the particle, or the body. Must not know: windows, which button uses it.
 #pragma once
 
 #include <memory>

@@ -11,7 +11,7 @@ namespace tyg {
 std::span<const ToolKind> toolTable() {
   static const std::array kTools{
       ToolKind{"hand", "push, grab",
-               "A click pushes, and goes on while you hold the button; a drag grabs, and the wheel "
+               "A click pushes, and goes on while you hold the button; a drag grabs the cloth or a body, and the wheel "
                "moves what you hold farther away or nearer.",
                handIcon(), makeHandTool},
       ToolKind{"pin", "pin, free", "A click pins a particle where it is; a click on a pin frees it.", pinIcon(),

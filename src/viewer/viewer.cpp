@@ -217,6 +217,7 @@ void Viewer::frame() {
   }
   tools_.frame();
   run_.advance(seconds, pace_.otherSeconds());
+  if (tools_.pressed() && run_.state() != RunState::Frozen) scenes_.followSimulation();  // a body may have been moved
   followCloth();
   if (review_.isOpen()) review_.ghost().moveTo(run_.shown().time());
   view_.followBreaking(run_.showsBreaking(), run_.state() == RunState::Running);

@@ -225,6 +225,7 @@ TEST(ContactSpeed, AStepThatCrossesMoreThanAThirdOfTheLayerIsTold) {
   // 1 m/s and a layer of 5 mm: a third of it in 1.7 ms.
   EXPECT_EQ(noteAt(1e-3, "rk4"), "");
   EXPECT_NE(noteAt(2.5e-3, "rk4").find("of the layer of contact"), std::string::npos);
+  EXPECT_EQ(noteAt(1.7e-3, "rk4").find("take steps of 1.7 ms"), std::string::npos) << "it takes them already";
   EXPECT_EQ(noteAt(2.5e-3, "dopri54"), "") << "it chooses its own steps";
   scene = withoutBodies(scene);
   EXPECT_EQ(noteAt(2.5e-3, "rk4"), "");

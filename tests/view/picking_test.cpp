@@ -125,6 +125,44 @@ TEST(Picking, TheLineOfSightThroughAParticleMeetsIt) {
   EXPECT_GT(glm::dot(particle - ray.origin, ray.direction), 0);
 }
 
+TEST(PickBody, FindsTheFirstSurfaceOnALineOfSight) {
+  const std::vector<Body> bodies = {
+      {.shape = Shape::Plane, .at = {0, -1, 0}},
+      {.shape = Shape::Ball, .at = {0, 0, -5}, .radius = 1},
+      {.shape = Shape::Box, .at = {0, 0, -9}, .half = {2, 1, 0.5}, .radius = 0.1},
+      {.shape = Shape::Capsule, .at = {-3, 0, -4}, .axis = {0, 2, 0}, .radius = 0.5},
+  };
+  struct Sighting {
+    glm::vec3 to;
+    std::optional<std::size_t> body;
+    float distance;
+  };
+  // From the origin, along the way to a point. The flat front of the box is at z = -8.5.
+  const Sighting sightings[] = {
+      {{0, 0, -1}, 1, 4},
+      {{1.85F, 0, -8.5F}, 2, std::hypot(1.85F, 8.5F)},
+      {{-3, 1, -4}, 3, std::hypot(3.0F, 1.0F, 4.0F) - 0.5F * std::hypot(3.0F, 1.0F, 4.0F) / 5},
+      {{0, -1, -1}, std::nullopt, 0},
+      {{0, 0, 1}, std::nullopt, 0},
+      {{-3, 2.6F, -4}, std::nullopt, 0},
+  };
+  for (const Sighting& sighting : sightings) {
+    const auto picked = pickBody({glm::vec3(0), glm::normalize(sighting.to)}, bodies);
+    ASSERT_EQ(picked.has_value(), sighting.body.has_value()) << sighting.to.x << " " << sighting.to.y;
+    if (!picked) continue;
+    EXPECT_EQ(picked->body, *sighting.body);
+    EXPECT_NEAR(picked->distance, sighting.distance, 2e-3F);
+  }
+}
+
+TEST(PickBody, AnEyeWithinABodySeesWhatIsOutside) {
+  const std::vector<Body> bodies = {{.shape = Shape::Ball, .at = {0, 0, 0}, .radius = 1},
+                                    {.shape = Shape::Ball, .at = {0, 0, -5}, .radius = 1}};
+  const auto picked = pickBody({glm::vec3(0), {0, 0, -1}}, bodies);
+  ASSERT_TRUE(picked);
+  EXPECT_EQ(picked->body, 1U);
+}
+
 TEST(MiddleInView, LeavesOutWhatHasFallenOutOfSight) {
   const Sheet sheet = sheetOf(9, 9);
   const std::vector<float> whole = startOf(sheet);

@@ -260,5 +260,108 @@ TEST_F(HandToolsTest, ALeftDragWithControlLooksAroundAndWithShiftComesNearer) {
   EXPECT_TRUE(viewer_.run().record().events.empty());
 }
 
+class BodyDragTest : public ViewerTest {
+ protected:
+  BodyDragTest() : ViewerTest(scene()) {}
+  /// A sheet that hangs beside a ball.
+  static Scene scene() {
+    Scene scene = curtain();
+    scene.bodies = {{.shape = Shape::Ball, .at = {-1.6, 0.2, 0}, .radius = 0.2}};
+    scene.contact.layer = 0.02;
+    fillContact(scene);
+    scene.dt = 1e-3;
+    return scene;
+  }
+  [[nodiscard]] glm::dvec3 ballAt() const {
+    const Vec3& at = viewer_.run().simulation().scene().bodies[0].at;
+    return {at.x, at.y, at.z};
+  }
+  [[nodiscard]] glm::dvec2 ballSeen() const {
+    return placeInWindow(viewer_.view().camera(), glm::vec3(ballAt()), {1280, 720});
+  }
+
+  Edits edits_{viewer_};
+};
+
+TEST_F(BodyDragTest, ADragTakesABodyAlongAndReplaysToTheSameBits) {
+  tap(' '), frames(120);  // the view glides at first
+  const glm::dvec3 before = ballAt();
+  const glm::dvec2 wanted = ballSeen() + glm::dvec2(150, 60);
+  pressAt(ballSeen()), moveTo(wanted);
+  frames(40);
+  EXPECT_LT(glm::distance(ballSeen(), wanted), 5);
+  EXPECT_NEAR(glm::dot(ballAt() - before, glm::dvec3(viewer_.view().camera().forward())), 0, 1e-3);
+  EXPECT_EQ(viewer_.logLine().held, -1) << "the cloth was not grabbed";
+  release(kLeftButton);
+  EXPECT_EQ(viewer_.scenes().scene().bodies[0].at, viewer_.run().simulation().scene().bodies[0].at);
+  const EventLog log = viewer_.run().record();
+  EXPECT_GT(countOf<WorldEvent>(log), 3) << "it goes in small jumps";
+  Simulation again(scene(), findMethod(log.integrator), {.threads = 1});
+  again.replay(parseEventLog(formatEventLog(log), "log"), methods());
+  again.tick(log.ticks);
+  EXPECT_EQ(hashText(again), log.hash);
+}
+
+TEST_F(BodyDragTest, AJumpWhileTimePassesIsAtMostHalfTheLayer) {
+  tap(' '), frames(5);
+  pressAt(ballSeen()), moveTo(ballSeen() + glm::dvec2(200, 0));
+  frames(5);
+  const double layer = viewer_.run().simulation().scene().contact.layer;
+  Vec3 last = scene().bodies[0].at;
+  int jumps = 0;
+  for (const Event& event : viewer_.run().record().events) {
+    const auto* world = std::get_if<WorldEvent>(&event.action);
+    if (world == nullptr) continue;
+    const Vec3& at = world->value;
+    EXPECT_LE(std::hypot(at.x - last.x, at.y - last.y, at.z - last.z), 0.51 * layer);
+    last = at, ++jumps;
+  }
+  EXPECT_GT(jumps, 5);
+}
+
+TEST_F(BodyDragTest, TheWholeDragIsOneChangeToUndo) {
+  tap(' '), frames(5);
+  edits_.follow(viewer_);
+  const glm::dvec3 before = ballAt();
+  pressAt(ballSeen()), moveTo(ballSeen() + glm::dvec2(50, 0));
+  for (int k = 0; k < 20; ++k) frames(1), edits_.follow(viewer_);
+  release(kLeftButton), frames(1), edits_.follow(viewer_);
+  EXPECT_GT(glm::distance(ballAt(), before), 0.02);
+  edits_.undo(viewer_);
+  EXPECT_EQ(ballAt(), before);
+  edits_.redo(viewer_);
+  EXPECT_GT(glm::distance(ballAt(), before), 0.02);
+}
+
+TEST_F(BodyDragTest, ABodyOfAPausedClothIsAtOnceWhereTheCursorIs) {
+  tap(' '), frames(5), tap(' ');
+  const std::int64_t still = ticks();
+  const glm::dvec2 wanted = ballSeen() + glm::dvec2(-80, 30);
+  pressAt(ballSeen()), moveTo(wanted), frames(1);
+  EXPECT_LT(glm::distance(ballSeen(), wanted), 5);
+  EXPECT_EQ(ticks(), still);
+}
+
+TEST_F(BodyDragTest, AClickOnABodySaysWhatADragDoes) {
+  tap(' '), frames(5);
+  const std::size_t events = viewer_.run().record().events.size();
+  pressAt(ballSeen()), release(kLeftButton), frames(5);
+  EXPECT_EQ(viewer_.notes().text(), "A drag moves this body.");
+  EXPECT_EQ(viewer_.run().record().events.size(), events);
+}
+
+TEST_F(BodyDragTest, TheClothBeforeABodyIsGrabbedAndNotTheBody) {
+  tap(' '), frames(5);
+  Scene behind = scene();
+  behind.bodies[0].at = {0, -0.5, -0.6};
+  viewer_.scenes().use(behind);
+  frames(1);
+  const glm::dvec3 before = ballAt();
+  pressAt(placeOf(210)), moveTo(placeOf(210) + glm::dvec2(60, 0));
+  frames(5);
+  EXPECT_EQ(viewer_.logLine().held, 210);
+  EXPECT_EQ(ballAt(), before);
+}
+
 }  // namespace
 }  // namespace tyg

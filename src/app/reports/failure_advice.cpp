@@ -11,6 +11,7 @@
 #include "study/limits/measured_limit.h"
 #include "study/limits/stability.h"
 #include "tyg/methods.h"
+#include "util/amounts.h"
 #include "util/interrupt.h"
 #include "util/text.h"
 #include "viewer/cure.h"

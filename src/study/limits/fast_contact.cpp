@@ -5,6 +5,7 @@
 
 #include "core/forces/term.h"
 #include "core/forces/terms/contact.h"
+#include "util/amounts.h"
 
 namespace tyg {
 
@@ -23,7 +24,7 @@ std::string fastContactNote(const Simulation& simulation) {
   return fmt::format(
       "At {:.3g} m/s a step of {:.3g} ms crosses {:.2g} of the layer of contact, so that impacts are rough: take steps "
       "of {:.2g} ms, or a thicker layer.",
-      simulation.largestSpeed(), 1e3 * step, layers, 1e3 * step * kMost / layers);
+      simulation.largestSpeed(), 1e3 * step, layers, 1e3 * roundedDown(step * kMost / layers));
 }
 
 }  // namespace tyg

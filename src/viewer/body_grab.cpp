@@ -1,0 +1,99 @@
+// A jump while time passes is at most half the layer of contact, so that the cloth feels a surface that moves.
+#include "viewer/body_grab.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "core/scene/bodies.h"
+#include "core/simulation/live_parameters.h"
+#include "view/body_shapes.h"
+
+namespace tyg {
+namespace {
+
+constexpr float kLiesOn = 2;  // spacings that a particle which lies on a body may be farther from the eye than the body
+
+glm::dvec3 placeOf(const Scene& scene, std::size_t body) {
+  const Vec3& at = scene.bodies[body].at;
+  return {at.x, at.y, at.z};
+}
+
+Scene withBodyAt(Scene scene, std::size_t body, const glm::dvec3& place) {
+  scene.bodies[body].at = {place.x, place.y, place.z};
+  return scene;
+}
+
+}  // namespace
+
+std::optional<PickedBody> BodyGrab::bodyAt(const ToolScope& scope, glm::vec2 cursor, std::optional<int> particle) {
+  const Simulation& simulation = scope.run.simulation();
+  if (simulation.scene().bodies.empty()) return std::nullopt;
+  std::vector<Body> bodies;
+  placeBodies(simulation.scene(), scope.run.shown().time(), bodies);
+  const Ray ray = sightLine(scope.view.camera(), cursor, windowOf(scope));
+  const std::optional<PickedBody> picked = pickBody(ray, bodies);
+  if (!picked || !particle) return picked;
+  const auto xyz = scope.run.shown().positions().subspan(3 * static_cast<std::size_t>(*particle), 3);
+  const float distance = glm::distance(ray.origin, glm::vec3(xyz[0], xyz[1], xyz[2]));
+  const float behind = distance - picked->distance;
+  return behind > kLiesOn * static_cast<float>(simulation.sheet().spacing) ? picked : std::nullopt;
+}
+
+void BodyGrab::begin(const ToolScope& scope, const PickedBody& picked, glm::vec2 cursor) {
+  const Scene& scene = scope.run.simulation().scene();
+  const glm::dvec3 place = placeOf(scene, picked.body);
+  if (sameLiveParameters(scene, withBodyAt(scene, picked.body, place + glm::dvec3(1)))) {
+    return scope.notes.say("Of the bodies of a scene only the first six can be moved.");
+  }
+  const Ray ray = sightLine(scope.view.camera(), cursor, windowOf(scope));
+  const glm::vec3 held = ray.origin + picked.distance * ray.direction;
+  body_ = picked.body;
+  wanted_ = place, aside_ = place - glm::dvec3(held);
+  velocity_ = glm::dvec3(0);
+  isNewFrame_ = false;
+  tick_ = scope.run.simulation().ticks();
+  holds_ = point_.begin(scope.view.camera(), held, cursor, glm::vec2(0));
+  if (holds_ && scope.run.state() == RunState::Running) scope.run.intervene();  // it wakes, or ends a replay
+}
+
+void BodyGrab::frame(const ToolScope& scope) {
+  const RunControl& run = scope.run;
+  if (run.state() == RunState::Frozen || run.seeking() || run.timeline().past) release();
+  if (run.simulation().ticks() < std::exchange(tick_, run.simulation().ticks())) release();
+  if (!holds_ || !scope.view.visible()) return;
+  if (const auto held = point_.wanted(scope)) wanted_ = glm::dvec3(*held) + aside_;
+  isNewFrame_ = true;
+  if (run.state() != RunState::Running) jump(scope.run.intervene(), way(run.simulation()));
+}
+
+glm::dvec3 BodyGrab::way(const Simulation& simulation) const { return wanted_ - placeOf(simulation.scene(), body_); }
+
+void BodyGrab::jump(Simulation& simulation, const glm::dvec3& by) {
+  if (by == glm::dvec3(0)) return;
+  try {
+    simulation.useLiveParameters(withBodyAt(simulation.scene(), body_, placeOf(simulation.scene(), body_) + by));
+  } catch (const std::exception&) {
+    release();  // so far away that no number is allowed
+  }
+}
+
+std::int64_t BodyGrab::follow(Simulation& simulation, std::int64_t due) {
+  constexpr auto kAny = std::numeric_limits<std::int64_t>::max();
+  if (!holds_) return kAny;
+  if (std::exchange(isNewFrame_, false)) {
+    velocity_ = handVelocity(way(simulation), double(due) * simulation.dt(), simulation.sheet().size());
+  }
+  const glm::dvec3 perTick = simulation.dt() * velocity_;
+  const double size = glm::length(perTick);
+  if (!(size > 0)) return kAny;
+  const double most = simulation.scene().contact.layer / 2 / size;
+  const auto ticks = static_cast<std::int64_t>(std::clamp(most, 1.0, double(due)));
+  jump(simulation, double(ticks) * perTick);
+  return ticks;
+}
+
+}  // namespace tyg
