@@ -6,8 +6,13 @@ the rows are t,kinetic,elastic,gravitational,sum in J instead of positions.
 """
 import sys
 
-METHOD, STEP = sys.argv[1], float(sys.argv[2])
-DAMPING = sys.argv[3] if len(sys.argv) > 3 else "relative"
+METHODS = ("explicit-euler", "symplectic-euler", "leapfrog", "rk4")
+try:
+    METHOD, STEP = sys.argv[1], float(sys.argv[2])
+    DAMPING = sys.argv[3] if len(sys.argv) > 3 else "relative"
+    assert METHOD in METHODS and STEP > 0 and DAMPING in ("relative", "axial", "none")
+except (IndexError, ValueError, AssertionError):
+    sys.exit(__doc__)
 ENERGY = len(sys.argv) > 4
 DURATION, ROWS_EVERY = 8.0, 0.2  # s
 MASS, SPACING, GRAVITY = 0.1, 0.5, 9.81  # kg, m, m/s2

@@ -45,7 +45,9 @@ double parsed(const std::string& option, const std::string& text, const Form& fo
 
 /// Three significant digits without an exponent where that is short.
 std::string three(double number) {
-  return std::abs(number) >= 999.5 ? fmt::format("{:.0f}", number) : fmt::format("{:.3g}", number);
+  constexpr double kLong = 1e7;
+  return std::abs(number) >= 999.5 && std::abs(number) < kLong ? fmt::format("{:.0f}", number)
+                                                               : fmt::format("{:.3g}", number);
 }
 
 }  // namespace
@@ -53,6 +55,10 @@ std::string three(double number) {
 double parseLength(const std::string& option, const std::string& text, double size) {
   const std::array<Unit, 7> units{
       {{"", 1}, {"um", 1e-6}, {"µm", 1e-6}, {"mm", 1e-3}, {"cm", 1e-2}, {"m", 1}, {"%", size / 100}}};
+  if (size == 0) {
+    return parsed(option, text,
+                  {std::span(units).first(6), "length", ": metres, or a number with um, mm, cm or m, such as 5mm"});
+  }
   return parsed(
       option, text,
       {units, "length", ": metres, or a number with um, mm, cm, m or % (of the sheet's larger side), such as 5mm"});
@@ -88,8 +94,9 @@ std::string lengthText(double metres) {
 
 std::string timeText(double seconds) {
   if (!std::isfinite(seconds)) return "unknown";
-  if (seconds >= 1) return three(seconds) + " s";
-  if (seconds >= 1e-3) return three(1e3 * seconds) + " ms";
+  constexpr double kRounded = 0.9995;  // is 1, by three digits
+  if (seconds >= kRounded) return three(seconds) + " s";
+  if (seconds >= 1e-3 * kRounded) return three(1e3 * seconds) + " ms";
   return three(1e6 * seconds) + " us";
 }
 

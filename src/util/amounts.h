@@ -7,8 +7,8 @@
 namespace tyg {
 
 enum class Zero { Refused, Allowed };
-/// A length above 0 in m: a number and um, mm, cm, m or nothing, or % of `size` (m). Throws InputError that names the
-/// `option`.
+/// A length above 0 in m: a number and um, mm, cm, m or nothing, or % of `size` (m; 0: there is none). Throws
+/// InputError that names the `option`.
 double parseLength(const std::string& option, const std::string& text, double size);
 /// A time in s: a number and us, ms, s or nothing. Throws InputError.
 double parseTime(const std::string& option, const std::string& text, Zero zero = Zero::Refused);

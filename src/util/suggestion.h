@@ -11,7 +11,7 @@
 namespace tyg {
 
 /// How many letters must be changed, added, left out or exchanged with their neighbour to make one word of the other
-/// (the restricted edit distance of Damerau, 1964).
+/// (the restricted edit distance of Damerau, 1964). Capital letters count as small ones.
 std::size_t editDistance(std::string_view a, std::string_view b);
 
 /// `; did you mean 'flag'?` for the nearest of these items, or of what `wordOf` makes of each, where one is near enough

@@ -56,8 +56,8 @@ TEST(RunOnBodies, OfBodiesTellsTheirEnergyTheirWorkAndStepsThatAreTooLong) {
   EXPECT_FALSE(holds(text, "work_of_wind_J"));
   EXPECT_TRUE(holds(tyg("run flag --duration 0.1 --json").out, "\"work_of_wind_J\""));
   EXPECT_TRUE(holds(tyg("run " + scene).out, "work of bodies"));
-  EXPECT_TRUE(holds(tyg("run " + scene).out, "of the layer of contact"));
-  EXPECT_FALSE(holds(tyg("run " + scene + " --dt 0.0001").out, "of the layer of contact"));
+  EXPECT_TRUE(holds(tyg("run " + scene).out, "the layer of contact, so that"));
+  EXPECT_FALSE(holds(tyg("run " + scene + " --dt 0.0001").out, "the layer of contact, so that"));
   EXPECT_FALSE(holds(tyg("run curtain --duration 0.2").out, "layer"));
 }
 

@@ -35,6 +35,18 @@ double stepFor(const std::string& method, const Mistake& mistake) {
 
 std::string saidOf(const MotionCheck& check) { return verdictWords(check); }
 
+/// The rows of a run of Tyg itself.
+std::string rowsOf(const SampledMotion& motion) {
+  std::string text = "t,particle,x,y,z\n";
+  for (std::size_t k = 0; k < motion.times.size(); ++k) {
+    for (std::size_t i = 0; i < motion.positions[k].size(); ++i) {
+      const Vec3& at = motion.positions[k][i];
+      text += fmt::format("{:.17g},{},{:.17g},{:.17g},{:.17g}\n", motion.times[k], i, at.x, at.y, at.z);
+    }
+  }
+  return text;
+}
+
 class EveryMistake : public testing::TestWithParam<int> {};
 
 TEST_P(EveryMistake, IsNamedRightlyWithEveryMethodThatStudentsWrite) {
@@ -86,22 +98,45 @@ TEST(Check, NamesMethodAndStepOfRightPrograms) {
   }
 }
 
+TEST(Check, BlamesNoMistakeThatMakesNoDifference) {
+  // Held pins stay where they are by any of these methods, whatever a program does with them within a step.
+  const Scene scene = loadScene("four-particles", methodNames());
+  for (const char* method : {"symplectic-euler", "explicit-euler"}) {
+    for (const double h : {1e-3, 2.5e-3}) {
+      Scene run = scene;
+      run.dt = h, run.duration = 1;
+      const MotionCheck check = checkedText(scene, rowsOf(sampledRun(run, findMethod(method), sampleTimes(run))));
+      EXPECT_EQ(mistakeName(check), "") << method << " " << h << ": " << saidOf(check);
+      EXPECT_EQ(check.verdict, MotionCheck::Verdict::Right) << method << " " << h << ": " << saidOf(check);
+    }
+  }
+}
+
+TEST(Check, KnowsLeapfrogWhereAPushBeginsLater) {
+  const Scene scene = checkedScene(Damping::Relative);
+  Scene run = scene;
+  run.dt = 1e-3;
+  const MotionCheck tygs = checkedText(scene, rowsOf(sampledRun(run, findMethod("leapfrog"), sampleTimes(run))));
+  const MotionCheck students = checkedText(scene, ownRows(OwnProgram(scene, {}, "leapfrog", 1e-3), 1e-3, 200, 10));
+  for (const MotionCheck* check : {&tygs, &students}) {
+    ASSERT_TRUE(check->right && check->right->exact) << saidOf(*check);
+    EXPECT_EQ(check->right->way.name(), "leapfrog");
+    EXPECT_NEAR(check->right->dt, 1e-3, 1e-12);
+  }
+}
+
+TEST(Check, NamesNoMethodThatTheDigitsDoNotProve) {
+  const Scene scene = checkedScene(Damping::Relative);
+  const MotionCheck check = checkedText(scene, ownRows(OwnProgram(scene, {}, "leapfrog", 2e-3), 2e-3, 100, 5, "%.3f"));
+  EXPECT_EQ(check.verdict, MotionCheck::Verdict::Right) << saidOf(check);
+  EXPECT_NE(saidOf(check).find("does not tell which method"), std::string::npos) << saidOf(check);
+  EXPECT_EQ(saidOf(check).find("leapfrog"), std::string::npos) << saidOf(check);
+}
+
 TEST(Check, FindsTheReportsRungeKutta) {
   Scene scene = checkedScene(Damping::Relative);
   const MotionCheck check = checkedText(scene, ownRows(OwnProgram(scene, {}, "report-rk4", 2e-3), 2e-3, 100, 5));
   EXPECT_EQ(mistakeName(check), "the report's Runge-Kutta") << saidOf(check);
-}
-
-/// The rows of a run of Tyg itself.
-std::string rowsOf(const SampledMotion& motion) {
-  std::string text = "t,particle,x,y,z\n";
-  for (std::size_t k = 0; k < motion.times.size(); ++k) {
-    for (std::size_t i = 0; i < motion.positions[k].size(); ++i) {
-      const Vec3& at = motion.positions[k][i];
-      text += fmt::format("{:.17g},{},{:.17g},{:.17g},{:.17g}\n", motion.times[k], i, at.x, at.y, at.z);
-    }
-  }
-  return text;
 }
 
 TEST(Check, CallsARunByAnyMethodOfTheTableRight) {

@@ -171,11 +171,18 @@ int report(Run& run, const RunOptions& options, const DeviceReport& device, cons
                              log != nullptr,
                              device};
   std::cout << (options.json ? runJson(finished) + "\n" : runSummary(finished)) << std::flush;
+  if (options.out && !options.json && !run.failed()) {
+    std::cout << "written       " << *options.out << ": " << options.samples << " times, " << simulation.sheet().count()
+              << " particles" << std::endl;
+  }
   if (run.failed()) {
     std::cerr << "tyg run: " << failureAdvice(finished) << std::endl;
     return kSimulationFailed;
   }
-  if (log != nullptr && !log->hash.empty() && log->hash != hashText(simulation)) {
+  if (log != nullptr && log->hash.empty()) {
+    std::cerr << "tyg run: the log has no hash, so that nothing says whether it was replayed to the same bits"
+              << std::endl;
+  } else if (log != nullptr && log->hash != hashText(simulation)) {
     std::cerr << "tyg run: the replay ended in other bits than the log: found hash " << hashText(simulation)
               << ", the log says " << log->hash << std::endl;
     return kSimulationFailed;

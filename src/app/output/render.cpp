@@ -162,6 +162,12 @@ void checkOutput(const RenderRequest& request) {
   checkWritable(frameFile(request, 0));
 }
 
+/// What an earlier sequence that was longer left in the folder would be taken for more of this one.
+void removeFramesFrom(const RenderRequest& request, std::size_t frame) {
+  std::error_code none;
+  while (fs::remove(frameFile(request, frame), none)) ++frame;
+}
+
 int renderPicture(const Scene& scene, const RenderRequest& request) {
   const double time = request.times.front();
   Progress progress("tyg render " + scene.name);
@@ -200,6 +206,7 @@ int renderSequence(const Scene& scene, const RenderRequest& request) {
     progress.show(kFirstShare + (1 - kFirstShare) * double(frame + 1) / double(request.times.size()));
   }
   if (movie && !movie->finish()) return sayStopped(kCommand, motion.simulation(), progress);
+  if (!movie) removeFramesFrom(request, request.times.size());
   return kDone;
 }
 

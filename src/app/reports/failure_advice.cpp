@@ -36,9 +36,11 @@ class Ways {
   /// The largest of `first` s, half of it, and so on, that holds; `isPredicted` where nothing can be tried.
   void addStep(double first, bool isPredicted = true) {
     constexpr int kHalvings = 12;
+    constexpr double kMostSteps = 1e12;  // of a run: nobody waits for more
     for (int k = 0; k < kHalvings; ++k) {
       Scene scene = scene_;
       scene.dt = roundedDown(std::ldexp(first, -k));
+      if (scene.duration / scene.dt > kMostSteps) return;
       const std::string words = fmt::format("--dt {:.2g}", scene.dt);
       if (take(words, scene, isPredicted)) return;
     }

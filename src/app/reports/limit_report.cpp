@@ -92,7 +92,7 @@ std::string whoHolds(const Scene& scene, double dt) {
 }
 
 Json changesJson(const HoldingChanges& changes) {
-  return {{"dt", Json(changes.dt)},
+  return {{"dt", changes.dt > 0 ? Json(changes.dt) : Json()},
           {"ks_factor", Json(changes.stiffness)},
           {"structural_kd", Json(changes.damping)},
           {"mass", Json(changes.mass)}};
@@ -137,7 +137,7 @@ std::string limitTable(const LimitReport& report) {
 std::string limitJson(const LimitReport& report) {
   Json list = Json::array();
   for (const LimitOfMethod& of : report.methods) {
-    const bool hasLimit = !std::isnan(of.limit.predicted);
+    const bool hasLimit = of.limit.predicted > 0;
     Json springs = Json::array();
     for (const std::string& name : of.springs) springs.append(name);
     Json entry{{"integrator", of.method->name},

@@ -216,8 +216,9 @@ std::string runSummary(const FinishedRun& run) {
   const Simulation& simulation = run.simulation;
   const auto evaluations = static_cast<double>(simulation.forceEvaluations());
   std::string text = sizeAndMethod(simulation) + "\n";
-  text += fmt::format("simulated     {:.6g} s in {} steps of at most {:.6g} s, {} force evaluations\n",
-                      simulation.time(), simulation.steps(), simulation.largestStep(), simulation.forceEvaluations());
+  text += fmt::format("simulated     {:.6g} s in {} step{} of at most {:.6g} s, {} force evaluations\n",
+                      simulation.time(), simulation.steps(), simulation.steps() == 1 ? "" : "s",
+                      simulation.largestStep(), simulation.forceEvaluations());
   text += fmt::format("took          {:.4g} s of stepping", run.seconds);
   if (run.seconds > 0 && evaluations > 0) {
     text += fmt::format(": {:.3g} times real time, {:.3g} ns per particle and force evaluation",

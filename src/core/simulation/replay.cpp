@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "util/text.h"
+
 namespace tyg {
 
 Scene loggedScene(const EventLog& log, std::span<const std::string_view> methods) {
@@ -17,7 +19,10 @@ Scene loggedScene(const EventLog& log, std::span<const std::string_view> methods
 
 const Method& methodNamed(std::string_view name, std::span<const Method> methods) {
   const auto found = std::ranges::find(methods, name, &Method::name);
-  if (found == methods.end()) throw InputError(fmt::format("replay: found the unknown method \"{}\"", name));
+  if (found == methods.end()) {
+    throw InputError(
+        fmt::format("replay: found the unknown method \"{}\", allowed: {}", name, joined(methods, &Method::name)));
+  }
   return *found;
 }
 

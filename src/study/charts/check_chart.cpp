@@ -72,7 +72,11 @@ std::string checkScript(const MotionCheck& check) {
   script.add("  set xlabel 'time (s)'\n  set ylabel 'distance, RMS over particles (m)'\n");
   script.label(check.scene.title + ": how wrong a motion is", {kLeft, 45}, {.colour = "#000000", .scale = 1.35});
   const std::string mistake = mistakeName(check);
-  script.label(mistake.empty() ? "no mistake found" : "mistake: " + mistake, {kLeft, 95}, {.colour = "#555555"});
+  const bool explained = check.verdict != MotionCheck::Verdict::Unexplained;
+  script.label(!mistake.empty() ? "mistake: " + mistake
+               : explained      ? "no mistake found"
+                                : "not explained",
+               {kLeft, 95}, {.colour = "#555555"});
   script.panel({kLeft, kWidth - kRight, kTop, kHeight - kBottom});
   const std::vector<Curve> curves = curvesOf(check);
   for (std::size_t k = 0; k < curves.size(); ++k) {

@@ -3,7 +3,6 @@
 #include "study/check/explanation_search.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <iterator>
@@ -21,6 +20,7 @@ constexpr double kRounding = 1e-13;  // ... but for their rounding errors, of th
 constexpr double kLost = 1e6;        // an amplification past which nothing can be told
 constexpr double kNear = kRounding * kLost * 10;  // of the size
 constexpr double kMostEffort = 2e9;               // evaluations of one spring, a few ns each
+constexpr double kAsWell = 10;         // two programs that are both exact and differ by so many times may be the same
 constexpr double kFar = 5;             // an accurate model so many times as far away as the truth explains nothing
 constexpr double kDearlyRanked = 3e7;  // so much a single run may cost that only gives an order
 constexpr std::size_t kMostToTheEnd = 10, kMostAimed = 50, kKept = 4;
@@ -177,8 +177,7 @@ std::vector<Explanation> ExplanationSearch::judgedFirst(std::span<const Tried> t
 /// Of those that are near at the first times, the nearest that stays so.
 std::optional<Explanation> ExplanationSearch::exactOf(std::vector<Tried>& tried) {
   std::ranges::stable_sort(tried, {}, &Tried::distance);
-  const auto isNear = [this](const Tried& one) { return one.distance <= near(); };
-  const auto nearOnes = std::size_t(std::ranges::find_if_not(tried, isNear) - tried.begin());
+  const auto nearOnes = std::size_t(std::ranges::upper_bound(tried, near(), {}, &Tried::distance) - tried.begin());
   std::optional<Explanation> best;
   for (const Explanation& of : judgedFirst(tried, std::min(nearOnes, kMostToTheEnd))) {
     if (of.exact && (!best || of.distance < best->distance)) best = of;
@@ -341,13 +340,15 @@ std::optional<Explanation> ExplanationSearch::searchByAim(std::span<const Model>
   return exactOf(tried);
 }
 
-/// One mistake alone where it fits as well: the other one then makes no difference.
-Explanation ExplanationSearch::oneOfTwo(const Explanation& found) {
-  for (const Mistake* mistake : found.model.made) {
-    const Model single = withMistake(plain_, *mistake);
-    const std::array tried{Tried{.trial = {&single, found.way, found.dt}}};
-    Explanation of = judgedFirst(tried, 1).front();
-    if (of.exact) return of;
+/// Without a mistake, or with one of two alone, where that fits as well: what is left out then makes no difference.
+Explanation ExplanationSearch::simplest(const Explanation& found) {
+  std::vector<Model> simpler{plain_};
+  for (const Mistake* mistake : found.model.made) simpler.push_back(withMistake(plain_, *mistake));
+  const double asWell = std::max({kAsWell * found.distance, kRounding * size_, std::ranges::max(motion_.rounding)});
+  for (const Model& model : simpler) {
+    const Tried tried{.trial = {&model, found.way, found.dt}};
+    Explanation of = judgedFirst(std::span(&tried, 1), 1).front();
+    if (of.exact && of.distance <= asWell) return of;
   }
   return found;
 }
@@ -369,8 +370,8 @@ std::optional<Explanation> ExplanationSearch::mistaken(double fromTruth) {
   }
   if (!found && !stopped()) found = search(singles_, others_);
   if (!found && !stopped()) found = search(pairs_, others_);
-  if (found && found->model.made.size() == 2) return oneOfTwo(*found);
-  if (found || stopped()) return found;
+  if (found) return simplest(*found);
+  if (stopped()) return found;
   // No program in double does that: for want of better the nearest one.
   std::vector<Tried> tried;
   for (const std::vector<Model>* list : {&singles_, &pairs_}) {
@@ -388,8 +389,8 @@ std::vector<double> ExplanationSearch::distances(const Model& model, const Expla
 }
 
 double ExplanationSearch::withoutMistake(const Explanation& of) {
-  double largest = 0;
   const std::vector<double> apart = distances(plain_, of);
+  double largest = 0;
   for (std::size_t k = 0; k < apart.size() && motion_.times[k] <= of.judgedUpTo; ++k) {
     largest = std::max(largest, apart[k]);
   }

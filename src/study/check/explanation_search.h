@@ -63,7 +63,7 @@ class ExplanationSearch {
   double accounted(const Trial& trial, const Run& run);
   void tryAll(std::span<const Trial> trials, double enough, std::vector<Tried>& tried);
   std::vector<double> distances(const Model& model, const Explanation& of);
-  Explanation oneOfTwo(const Explanation& found);
+  Explanation simplest(const Explanation& found);
   Explanation nearestStep(const Explanation& found);
   std::optional<Explanation> nearestOf(std::vector<Tried>& tried);
   std::optional<Explanation> exactOf(std::vector<Tried>& tried);

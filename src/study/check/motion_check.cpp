@@ -80,6 +80,8 @@ void decide(MotionCheck& check, ExplanationSearch& search, const CheckOptions& o
   double first = 0;
   for (std::size_t k = 0; k < search.first(); ++k) first = std::max(first, check.errors[k]);
   const std::optional<Explanation> found = search.mistaken(first);
+  if (found && found->exact && found->model.made.empty()) check.right = found;
+  if (isExactlyRight()) return;
   if ((!found || !found->exact) && !search.stopped()) {
     if (const std::optional<Explanation> other = search.rightAtAnyStep()) check.right = other;
     if (isExactlyRight()) return;
@@ -98,6 +100,12 @@ void decide(MotionCheck& check, ExplanationSearch& search, const CheckOptions& o
 }  // namespace
 
 const Explanation* MotionCheck::explanation() const { return mistaken ? &*mistaken : right ? &*right : nullptr; }
+
+bool MotionCheck::truthIsAsNear() const {
+  constexpr double kAsNear = 3;  // times
+  const Explanation* of = explanation();
+  return of != nullptr && error <= kAsNear * of->distance;
+}
 
 bool MotionCheck::stepIsTooLong() const {
   const Explanation* of = explanation();
@@ -138,7 +146,7 @@ MotionCheck checkMotion(const Scene& scene, const GivenMotion& handedIn, const C
   check.stopped = search.stopped();
   if (check.stopped) return check;
   if (const Explanation* of = check.explanation(); of != nullptr && of->way.known() && of->dt > 0) {
-    const double limit = restLatticeLimit(check.scene, findMethod(of->way.name()));
+    const double limit = restLatticeLimit(of->model.scene, findMethod(of->way.name()));
     check.limit = limit > 0 ? limit : 0;
   }
   return check;

@@ -41,6 +41,8 @@ struct MotionCheck {
 
   /// What explains the motion: the mistake, else the nearest method.
   [[nodiscard]] const Explanation* explanation() const;
+  /// Whether the truth is as near as that: nothing then tells the method.
+  [[nodiscard]] bool truthIsAsNear() const;
   /// Whether that takes steps past the method's limit.
   [[nodiscard]] bool stepIsTooLong() const;
 };

@@ -144,16 +144,22 @@ std::vector<Way> waysOf(const Model& model, Breadth breadth) {
   constexpr std::size_t kSmall = 1000;  // springs: there the student's program is the faster one
   const bool canBeStudents = StudentProgram::takes(model.scene);
   const bool byTyg = model.isScene() && (!canBeStudents || springsIn(model.scene) > kSmall);
+  // Leapfrog keeps a force from one step to the next. Where a push begins or ends in between, Tyg forms it anew, and
+  // the student's program keeps it as it was: both are right.
+  const auto isTwofold = [&](std::string_view name) {
+    return model.isScene() && !model.scene.pushes.empty() && name == "leapfrog";
+  };
   std::vector<Way> ways;
   const auto isStudents = [](const Method& method) {
     return std::ranges::any_of(studentMethods(), [&](const StudentMethod& one) { return one.name == method.name; });
   };
   for (const Method& method : methods()) {
-    if (!isStudents(method) ? model.isScene() && breadth == Breadth::All : byTyg) ways.push_back({&method, nullptr});
+    const bool all = model.isScene() && breadth == Breadth::All;
+    if (isStudents(method) ? byTyg || isTwofold(method.name) : all) ways.push_back({&method, nullptr});
   }
   if (!canBeStudents) return ways;
   for (const StudentMethod& method : studentMethods()) {
-    if (byTyg && method.known) continue;
+    if (byTyg && method.known && !isTwofold(method.name)) continue;
     if (model.habits.stale && !isMultiStage(method)) continue;
     ways.push_back({nullptr, &method});
   }

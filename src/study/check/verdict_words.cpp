@@ -69,6 +69,12 @@ std::string rightWords(const MotionCheck& check) {
   const std::string own = of.way.known() ? "" : ", a right method that is not one of ours";
   const std::string positions =
       fmt::format("our positions are those of {}{}: {}.", methodWords(of), own, agreement(of, check));
+  if (check.truthIsAsNear()) {
+    return fmt::format(
+        "Right: your positions are {} from the truth. That is as near as they are to any method of ours, so "
+        "that the file does not tell which method made them.",
+        metres(check.error));
+  }
   if (check.stepIsTooLong()) return "Y" + positions + stepWords(check, "The program is right, but its");
   return fmt::format("Right: y{} They are {} from the truth.", positions, metres(check.error));
 }
@@ -88,9 +94,11 @@ std::string verdictWords(const MotionCheck& check) {
       return rightWords(check);
     case Verdict::OtherMethod:
       return fmt::format(
-          "Right to {}, by a method that is not one of ours: no method of ours and no common mistake "
-          "gives these positions.",
-          metres(check.error));
+          "Your positions are within {} of the truth, {:.2g} % of the sheet's size, which is good enough; but no "
+          "method of "
+          "ours and no common mistake gives them. A method that is not one of ours does that, and so does a small "
+          "mistake.",
+          metres(check.error), 100 * check.error / check.size);
     case Verdict::Unexplained:
       break;
   }

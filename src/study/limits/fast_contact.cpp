@@ -22,9 +22,10 @@ std::string fastContactNote(const Simulation& simulation) {
   const bool choosesSteps = simulation.method().adaptive && scene.tolerance > 0;
   if (choosesSteps || !(layers > kMost)) return "";
   return fmt::format(
-      "At {:.3g} m/s a step of {:.3g} ms crosses {:.2g} of the layer of contact, so that impacts are rough: take steps "
+      "At {:.3g} m/s a step of {:.3g} ms crosses {:.2g} {} the layer of contact, so that impacts are rough: take steps "
       "of {:.2g} ms, or a thicker layer.",
-      simulation.largestSpeed(), 1e3 * step, layers, 1e3 * roundedDown(step * kMost / layers));
+      simulation.largestSpeed(), 1e3 * step, layers, layers < 1 ? "of" : "times",
+      1e3 * roundedDown(step * kMost / layers));
 }
 
 }  // namespace tyg
