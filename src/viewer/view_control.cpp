@@ -12,8 +12,20 @@ namespace tyg {
 namespace {
 
 constexpr float kGlideSeconds = 0.8F;
+constexpr float kFollowRate = 10;      // 1/s: the camera catches up with a cloth that is out of view
+constexpr float kDriftDecay = 2;       // 1/s, of the camera's speed once it has
+constexpr float kLongestMove = 0.05F;  // s: a stalled frame moves the camera no farther
+constexpr float kAtRest = 1e-3F;       // cloth sizes a second
 
 }  // namespace
+
+void ViewControl::begin(std::vector<glm::vec3> motionBounds) {
+  motionBounds_ = std::move(motionBounds);
+  if (motionBounds_.empty()) return;
+  Box box{motionBounds_.front(), motionBounds_.front()};
+  for (const glm::vec3& point : motionBounds_) box = box.with({point, point});
+  largest_ = box.size();
+}
 
 void ViewControl::follow(const Box& cloth, std::span<const Body> bodies, bool hasMoved) {
   cloth_ = cloth, bodies_ = bodies;
@@ -58,22 +70,55 @@ void ViewControl::followBreaking(bool breaks, bool runs) {
   camera_.place(glm::mix(from, camera_.eye(), runs ? kShare : 1));
 }
 
+void ViewControl::keepInView(std::span<const float> particles, float seconds) {
+  if (!framed_ || !visible() || cameraMoved_ || glide_ || followed_ || cloth_.size() > largest_) {
+    drift_ = {};
+    return;
+  }
+  kept_.clear();
+  for (std::size_t i = 0; i < particles.size(); i += 3) {
+    kept_.emplace_back(particles[i], particles[i + 1], particles[i + 2]);
+  }
+  addBeside(kept_);
+  const glm::vec3 from = camera_.eye();
+  camera_.keepInView(kept_, part_);
+  // Its speed grows with the way that is missing and with how long it has been: a cloth that goes on steadily is
+  // followed at a small distance, and one that stops lets the camera drift to rest.
+  const glm::vec3 missing = camera_.eye() - from;
+  const float time = std::clamp(seconds, 0.0F, kLongestMove);
+  drift_ += time * (kFollowRate * kFollowRate * missing - kDriftDecay * drift_);
+  if (glm::length(drift_) < kAtRest * cloth_.size()) drift_ = {};
+  const glm::vec3 way = time * (drift_ + 2 * kFollowRate * missing);
+  camera_.place(from + way);
+  for (glm::vec3& point : inView_) point += way;
+}
+
 void ViewControl::movedByHand() {
   cameraMoved_ = true;
+  stop();
+}
+
+void ViewControl::stop() {
   glide_.reset();
+  drift_ = {};
+}
+
+void ViewControl::addBeside(std::vector<glm::vec3>& points) const {
+  if (insets_.beside <= 0) return;
+  for (std::size_t i = 0, count = points.size(); i < count; ++i) {
+    points.push_back(points[i] - insets_.beside * camera_.right());
+  }
 }
 
 void ViewControl::fitView() {
   if (!visible()) return;
   part_ = freePart();
   std::vector<glm::vec3> points = inView_;
-  if (insets_.beside > 0) {
-    for (const glm::vec3& point : inView_) points.push_back(point - insets_.beside * camera_.right());
-  }
+  addBeside(points);
   camera_.frame(points, part_);
   framed_ = true;
   cameraMoved_ = false;
-  glide_.reset();
+  stop();
 }
 
 FreePart ViewControl::freePart() const {
