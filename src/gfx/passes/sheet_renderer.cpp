@@ -31,12 +31,12 @@ constexpr std::unique_ptr<Pass> (*kPasses[])(const Canvas& canvas){
     make<SpringPass>,       make<ParticlePass>, make<PushPass>,   make<WindPass>,
 };
 
-std::unique_ptr<Canvas> makeCanvas(const Sheet& sheet) {
+std::unique_ptr<Canvas> makeCanvas(const Sheet& sheet, Programs& programs) {
   if (sheet.count() > Positions::mostPoints()) {
     throw InputError(fmt::format("sheet: found {} particles, allowed: up to {}, as this graphics driver draws no more",
                                  sheet.count(), Positions::mostPoints()));
   }
-  return std::make_unique<Canvas>(sheet);
+  return std::make_unique<Canvas>(sheet, programs);
 }
 
 void setState(glm::ivec2 pixels) {
@@ -51,7 +51,8 @@ void setState(glm::ivec2 pixels) {
 
 }  // namespace
 
-SheetRenderer::SheetRenderer(const Sheet& sheet) : canvas_(makeCanvas(sheet)) {
+SheetRenderer::SheetRenderer(const Sheet& sheet, std::shared_ptr<Programs> programs)
+    : programs_(std::move(programs)), canvas_(makeCanvas(sheet, *programs_)) {
   for (const auto& makePass : kPasses) passes_.push_back(makePass(*canvas_));
 }
 SheetRenderer::~SheetRenderer() = default;
