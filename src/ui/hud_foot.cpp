@@ -12,7 +12,8 @@
 namespace tyg {
 namespace {
 
-constexpr float kLeastMiddle = 30;     // to write in between the panels
+constexpr float kLeastMiddle = 12;     // to write a line in between the panels, in sizes of the text ...
+constexpr float kLeastFailure = 30;    // ... or what is said of a failure
 constexpr float kAbove = 0.6F;         // between what is said and what is below
 constexpr float kFailureShare = 0.3F;  // of the window's height, for what is said of a failure: else it is said smaller
 constexpr float kSmallest = 0.65F;     // but not smaller than this share of the text
@@ -41,14 +42,6 @@ Extent framebuffer() {
 /// It was let run on, and a moment after the last good one is shown.
 bool isBreaking(const RunControl& run) { return run.failure().runsOn() && run.failure().isPast(run.shown().tick()); }
 
-std::string waysOutInWords(const RunControl& run) {
-  const auto& cure = run.failure().cure();
-  std::string text = "unstable: ";
-  if (cure && cure->step > 0) text += "V takes a safe step, ";
-  if (cure && cure->method != nullptr) text += "M a method that holds, ";
-  return text + "R restarts";
-}
-
 std::vector<Buttons::Button> waysOut(const Viewer& viewer) {
   std::vector<Buttons::Button> buttons;
   if (const auto& cure = viewer.run().failure().cure()) {
@@ -74,12 +67,13 @@ struct Hud::Middle {
   float sides = 0;         ///< above what of it reaches over the keys
 };
 
-/// `keys`: the width that they take at the left where there are no panels.
-Hud::Middle Hud::middleBetween(const Panels& panels, float keys, float bottom) const {
+/// `least`: the width that must be free for it, in sizes of the text; `keys`: that which they take at the left where
+/// there are no panels.
+Hud::Middle Hud::middleBetween(const Panels& panels, float least, float keys, float bottom) const {
   const float screen = ImGui::GetIO().DisplaySize.x;
   const float left = panels.width(Edge::Left), right = screen - panels.width(Edge::Right);
-  const bool free = right - left >= kLeastMiddle * size_;
-  return {free ? left : 0, free ? right : screen, left > 0 ? 0 : keys, free, bottom, bottom};
+  const bool free = right - left >= least * size_;
+  return {free ? left : 0, free ? right : screen, keys, free, bottom, bottom};
 }
 
 /// Over the panels where there is no room between them.
@@ -118,8 +112,9 @@ float Hud::drawFoot(const Viewer& viewer, Panels& panels) {
   const float bottom = drawTimeLine(viewer, status);
   const bool frozen = viewer.run().state() == RunState::Frozen;
   // The keys give way to a failure.
+  const bool keys = viewer.view().showsHelp() && !frozen && !panels.isAt(Edge::Left);
   Middle middle =
-      middleBetween(panels, viewer.view().showsHelp() && !frozen ? float(keysWidth(framebuffer())) : 0, bottom);
+      middleBetween(panels, frozen ? kLeastFailure : kLeastMiddle, keys ? float(keysWidth(framebuffer())) : 0, bottom);
   const TextWriter writer = writerIn(viewer, middle);
   if (!filming_.empty()) sayInMiddle(writer, coloursOn(writer.background).text, filming_, middle);
   overPanels_ = frozen && !middle.free && !viewer.view().showsAllKeys();
@@ -226,7 +221,7 @@ std::string Hud::promptText(const Viewer& viewer) const {
   }
   if (run.state() == RunState::Paused) return "paused  \u00b7  space goes on";
   if (run.asleep()) return "at rest  \u00b7  click the cloth to push it";
-  if (isBreaking(run)) return waysOutInWords(run);
+  if (isBreaking(run)) return "it is breaking, in slow motion  \u00b7  space pauses, R restarts";
   return hint_;
 }
 
