@@ -15,6 +15,7 @@ constexpr float kGlideSeconds = 0.8F;
 constexpr float kFollowRate = 10;      // 1/s: the camera catches up with a cloth that is out of view
 constexpr float kDriftDecay = 2;       // 1/s, of the camera's speed once it has
 constexpr float kLongestMove = 0.05F;  // s: a stalled frame moves the camera no farther
+constexpr float kInPieces = 1.1F;      // sizes of the motion bounds: a larger cloth has come apart
 constexpr float kAtRest = 1e-3F;       // cloth sizes a second
 
 }  // namespace
@@ -22,15 +23,16 @@ constexpr float kAtRest = 1e-3F;       // cloth sizes a second
 void ViewControl::begin(std::vector<glm::vec3> motionBounds) {
   motionBounds_ = std::move(motionBounds);
   if (motionBounds_.empty()) return;
-  Box box{motionBounds_.front(), motionBounds_.front()};
-  for (const glm::vec3& point : motionBounds_) box = box.with({point, point});
-  largest_ = box.size();
+  bounds_ = {motionBounds_.front(), motionBounds_.front()};
+  for (const glm::vec3& point : motionBounds_) bounds_ = bounds_.with({point, point});
 }
+
+bool ViewControl::inPieces() const { return cloth_.size() > kInPieces * bounds_.size(); }
 
 void ViewControl::follow(const Box& cloth, std::span<const Body> bodies, bool hasMoved) {
   cloth_ = cloth, bodies_ = bodies;
-  const bool begins = hasMoved && !std::exchange(hasMoved_, hasMoved);
-  if (begins && framed_ && !cameraMoved_ && !motionBounds_.empty()) glideTo(motionBounds_);
+  const bool turns = hasMoved != std::exchange(hasMoved_, hasMoved);
+  if (turns && (hasMoved || away_) && framed_ && !cameraMoved_ && !motionBounds_.empty()) glideTo(motionBounds_);
 }
 
 void ViewControl::resize(Extent pixels, const Insets& insets) {
@@ -48,6 +50,7 @@ void ViewControl::frameCloth() {
   camera_.watch(cloth_);
   const auto corners = cloth_.corners();
   inView_.assign(corners.begin(), corners.end());
+  away_ = false;
   addBodyPoints(bodies_, cloth_, inView_);
   fitView();
 }
@@ -55,6 +58,7 @@ void ViewControl::frameCloth() {
 void ViewControl::glideTo(std::vector<glm::vec3> points) {
   const glm::vec3 from = camera_.eye();
   inView_ = std::move(points);
+  away_ = false;
   fitView();
   glide_ = Glide{.from = from, .to = camera_.eye()};
   camera_.place(from);
@@ -71,8 +75,12 @@ void ViewControl::followBreaking(bool breaks, bool runs) {
 }
 
 void ViewControl::keepInView(std::span<const float> particles, float seconds) {
-  if (!framed_ || !visible() || cameraMoved_ || glide_ || followed_ || cloth_.size() > largest_) {
+  if (!framed_ || !visible() || !hasMoved_ || motionBounds_.empty() || cameraMoved_ || glide_ || followed_) {
     drift_ = {};
+    return;
+  }
+  if (inPieces()) {
+    if (away_) glideTo(motionBounds_);
     return;
   }
   kept_.clear();
@@ -90,6 +98,7 @@ void ViewControl::keepInView(std::span<const float> particles, float seconds) {
   if (glm::length(drift_) < kAtRest * cloth_.size()) drift_ = {};
   const glm::vec3 way = time * (drift_ + 2 * kFollowRate * missing);
   camera_.place(from + way);
+  if (way != glm::vec3(0)) away_ = true;
   for (glm::vec3& point : inView_) point += way;
 }
 
@@ -115,6 +124,7 @@ void ViewControl::fitView() {
   part_ = freePart();
   std::vector<glm::vec3> points = inView_;
   addBeside(points);
+  if (inPieces()) camera_.watch(bounds_);  // what fell far away asks for no space around the rest
   camera_.frame(points, part_);
   framed_ = true;
   cameraMoved_ = false;

@@ -42,9 +42,10 @@ class ViewControl {
   /// Once a frame of a cloth that breaks: goes along with it while it runs, and shows all of it then, unless the person
   /// has moved the camera. Afterwards, once a frame of any other: goes back.
   void followBreaking(bool breaks, bool runs);
-  /// Once a frame after that: where the particles (x, y, z of each, m) leave what is free of the window, the camera
-  /// goes along with them, no farther than it must, unless the person has moved it. It does not follow parts that have
-  /// come so far apart that the cloth is larger than its motion bounds.
+  /// Once a frame after that, of a cloth that has moved: where the particles (x, y, z of each, m) leave what is free of
+  /// the window, the camera goes along with them, no farther than it must, unless the person has moved it. It does not
+  /// follow parts that have come so far apart that the cloth is larger than its motion bounds (by a tenth), but goes
+  /// back to these.
   void keepInView(std::span<const float> particles, float seconds);
   void turn(glm::vec2 pixels);                           ///< the cursor moved so far
   void orbit(glm::vec2 pixels, const glm::vec3& about);  ///< likewise, around a point, m
@@ -77,6 +78,7 @@ class ViewControl {
   };
   void fitView();
   void glideTo(std::vector<glm::vec3> points);
+  [[nodiscard]] bool inPieces() const;
   void movedByHand();
   void stop();
   void addBeside(std::vector<glm::vec3>& points) const;
@@ -92,7 +94,7 @@ class ViewControl {
   std::span<const Body> bodies_;
   bool hasMoved_ = false;
   std::vector<glm::vec3> motionBounds_;
-  float largest_ = 0;              ///< diagonal of their box, m
+  Box bounds_;                     ///< around them
   std::vector<glm::vec3> inView_;  ///< what was framed, moved on with the camera where that followed the cloth
   std::vector<glm::vec3> kept_;    ///< what keepInView() looks at
   FreePart part_;                  ///< of the window, at the last change of it
@@ -100,6 +102,7 @@ class ViewControl {
   bool cameraMoved_ = false;  ///< by the person, since the cloth was framed
   std::optional<Glide> glide_;
   glm::vec3 drift_{0};     ///< m/s, of the camera that follows the cloth
+  bool away_ = false;      ///< it has followed it, since something was framed
   bool followed_ = false;  ///< a cloth that breaks
 };
 

@@ -261,6 +261,30 @@ TEST(ViewControl, LeavesAClothToThePersonWhoHasMovedTheCameraAndPartsThatFallToT
   }
 }
 
+TEST(ViewControl, GoesBackAtARestartIfItHasFollowedTheCloth) {
+  for (const bool follows : {true, false}) {
+    ViewControl view = viewOfASquare();
+    view.resize(kWindow, {});
+    for (int frame = 0; frame < 60; ++frame) showFrame(view, kSquare);
+    if (follows) {
+      for (int frame = 0; frame < 60; ++frame) showFrame(view, squareAt({3, 0, 0}));
+    }
+    view.follow(kSquare, {}, false);
+    EXPECT_EQ(view.glides(), follows);
+  }
+}
+
+TEST(ViewControl, GoesBackWhereAClothThatItFollowedComesApart) {
+  ViewControl view = viewOfASquare();
+  view.resize(kWindow, {});
+  for (int frame = 0; frame < 60; ++frame) showFrame(view, kSquare);
+  const glm::vec3 eye = view.camera().eye();
+  for (int frame = 0; frame < 60; ++frame) showFrame(view, squareAt({3, 0, 0}));
+  ASSERT_GT(glm::distance(view.camera().eye(), eye), 1);
+  for (int frame = 0; frame < 60; ++frame) showFrame(view, {{-1, -50, 0}, {1, 1, 0}});
+  EXPECT_LT(glm::distance(view.camera().eye(), eye), 1e-3F);
+}
+
 TEST(ViewControl, KeepsTheClothAboveWhatTakesTheLowerEdge) {
   ViewControl view = viewOfASquare();
   constexpr int kTaken = 360;  // pixels, half of the window
