@@ -15,6 +15,7 @@ namespace {
 constexpr float kLeastMiddle = 12;     // to write a line in between the panels, in sizes of the text ...
 constexpr float kLeastFailure = 30;    // ... or what is said of a failure
 constexpr float kAbove = 0.6F;         // between what is said and what is below
+constexpr float kBeside = 4;           // left and right of it together
 constexpr float kFailureShare = 0.3F;  // of the window's height, for what is said of a failure: else it is said smaller
 constexpr float kSmallest = 0.65F;     // but not smaller than this share of the text
 
@@ -90,7 +91,7 @@ void Hud::ground(const TextWriter& writer, ImVec2 from, ImVec2 to, const Middle&
 }
 
 void Hud::sayInMiddle(const TextWriter& writer, ImU32 colour, std::string_view text, Middle& middle) {
-  const float wrap = middle.to - middle.from - 4 * writer.size;
+  const float wrap = middle.to - middle.from - kBeside * writer.size;
   const ImVec2 extent = writer.extent(text, wrap);
   const ImVec2 at{0.5F * (middle.from + middle.to - extent.x), middle.top - kAbove * writer.size - extent.y};
   ground(writer, at, {at.x + extent.x, at.y + extent.y}, middle);
@@ -234,7 +235,10 @@ void Hud::drawPrompt(const Viewer& viewer, Middle& middle) const {
   const Colours& colours = coloursOn(writer.background);
   const RunState state = viewer.run().state();
   const bool prompts = state == RunState::Waiting || state == RunState::Paused;
-  if (!noted && prompts && middle.free) writer.font = fonts_.large, writer.size *= kLargeRatio;
+  TextWriter large = writer;
+  large.font = fonts_.large, large.size *= kLargeRatio;
+  const bool fits = large.extent(text).x <= middle.to - middle.from - kBeside * large.size;
+  if (!noted && prompts && middle.free && fits) writer = large;
   sayInMiddle(writer, warns ? colours.warning : colours.text, text, middle);
 }
 
