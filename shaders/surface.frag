@@ -28,7 +28,7 @@ const float kThrough = 0.35;  // share of the light that comes through
 // Threads that cross over and under each other. They fade before they are too fine for the picture.
 vec3 ownColour() {
   vec2 threads = onSheet * perCell, pixel = fwidth(threads);
-  float clear = 1 - smoothstep(0.22, 0.55, max(pixel.x, pixel.y));
+  float clear = 1 - smoothstep(0.18, 0.42, max(pixel.x, pixel.y));
   vec2 cell = floor(threads), across = threads - cell - 0.5;
   bool warp = mod(cell.x + cell.y, 2.0) < 0.5;  // the thread on top runs down, or across
   vec2 on = warp ? across : across.yx;          // from its middle line, and along it
