@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
 #include <utility>
 
 #include "view/body_shapes.h"
@@ -88,7 +90,11 @@ void ViewControl::keepInView(std::span<const float> particles, float seconds) {
     kept_.emplace_back(particles[i], particles[i + 1], particles[i + 2]);
   }
   addBeside(kept_);
-  const glm::vec3 from = camera_.eye();
+  // First as deep into the picture as the cloth is beyond all that was framed: one that falls away would become tiny.
+  const glm::vec3 from = camera_.eye(), ahead = camera_.forward();
+  float beyond = std::numeric_limits<float>::infinity();
+  for (const glm::vec3& point : inView_) beyond = std::min(beyond, glm::dot(cloth_.centre() - point, ahead));
+  if (beyond > 0 && !inView_.empty()) camera_.place(from + beyond * ahead);
   camera_.keepInView(kept_, part_);
   // Its speed grows with the way that is missing and with how long it has been: a cloth that goes on steadily is
   // followed at a small distance, and one that stops lets the camera drift to rest.

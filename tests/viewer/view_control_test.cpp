@@ -261,6 +261,18 @@ TEST(ViewControl, LeavesAClothToThePersonWhoHasMovedTheCameraAndPartsThatFallToT
   }
 }
 
+TEST(ViewControl, StaysAsNearToAClothThatFallsForLong) {
+  ViewControl view = viewOfASquare();
+  view.resize(kWindow, {});
+  for (int frame = 0; frame < 60; ++frame) showFrame(view, kSquare);
+  const float distance = view.camera().distance();
+  for (int frame = 0; frame < 100; ++frame) {
+    const float time = 0.02F * float(frame);
+    showFrame(view, squareAt({0, -4.9F * time * time, 0}));
+  }
+  EXPECT_LT(view.camera().distance(), 1.3F * distance);
+}
+
 TEST(ViewControl, GoesBackAtARestartIfItHasFollowedTheCloth) {
   for (const bool follows : {true, false}) {
     ViewControl view = viewOfASquare();
