@@ -58,6 +58,7 @@ class Hud {
   struct Middle;
   [[nodiscard]] Middle middleBetween(const Panels& panels, float least, float keys, float bottom) const;
   [[nodiscard]] TextWriter writerIn(const Viewer& viewer, const Middle& middle) const;
+  void makeWay(const Panels& panels, bool frozen);
   static void ground(const TextWriter& writer, ImVec2 from, ImVec2 to, const Middle& middle);
   static void sayInMiddle(const TextWriter& writer, ImU32 colour, std::string_view text, Middle& middle);
   bool pressKey(const WindowEvent& event, const Input* under);
@@ -87,6 +88,8 @@ class Hud {
   KeyCode keyDown_ = 0;      ///< by the mouse
   float failure_ = 0;        ///< height of all that is at the foot with the last failure, ImGui's units; 0 before
   ImVec2 picture_;           ///< what the picture of what fails first takes beside and above the cloth, ImGui's units
+  int openedBefore_ = 0;     ///< Panels::timesOpened() before the failure
+  bool givesWay_ = false;    ///< what is said of the failure gives way to a panel that was opened since
   bool overPanels_ = false;  ///< what is said of the failure is ...
   ImVec2 failureFrom_, failureTo_;  ///< ... and its corners
   TimeLine timeLine_;

@@ -14,6 +14,7 @@ namespace {
 
 constexpr float kLeastMiddle = 12;     // to write a line in between the panels, in sizes of the text ...
 constexpr float kLeastFailure = 30;    // ... or what is said of a failure
+constexpr float kLeastPanel = 7;       // lines that a panel is to have above that, if it was opened after the failure
 constexpr float kAbove = 0.6F;         // between what is said and what is below
 constexpr float kBeside = 4;           // left and right of it together
 constexpr float kFailureShare = 0.3F;  // of the window's height, for what is said of a failure: else it is said smaller
@@ -102,8 +103,16 @@ void Hud::sayInMiddle(const TextWriter& writer, ImU32 colour, std::string_view t
 
 int Hud::below(const Viewer& viewer) const {
   constexpr float kSaid = 2.2F;  // a line in the large font
-  const bool frozen = viewer.run().state() == RunState::Frozen;
+  const bool frozen = viewer.run().state() == RunState::Frozen && !givesWay_;
   return static_cast<int>(frozen && failure_ > 0 ? failure_ : (kFoot - kTimeLine + kSaid) * size_);
+}
+
+/// In a low window there is no room for both, and a panel that was asked for is to be seen.
+void Hud::makeWay(const Panels& panels, bool frozen) {
+  if (!frozen) openedBefore_ = panels.timesOpened();
+  const float room = ImGui::GetIO().DisplaySize.y - failure_ - kTop * size_;
+  const bool narrow = !middleBetween(panels, kLeastFailure, 0, 0).free;
+  givesWay_ = frozen && narrow && panels.timesOpened() != openedBefore_ && room < kLeastPanel * size_;
 }
 
 /// Returns the height down to which keys may be written: what is said in the middle does not cover them.
@@ -111,7 +120,8 @@ float Hud::drawFoot(const Viewer& viewer, Panels& panels) {
   const float status = drawStatus(viewer);
   panels.endAbove(status - 0.8F * kTimeLine * size_);  // whether it is there or not: no panel jumps at a pause
   const float bottom = drawTimeLine(viewer, status);
-  const bool frozen = viewer.run().state() == RunState::Frozen;
+  makeWay(panels, viewer.run().state() == RunState::Frozen);
+  const bool frozen = viewer.run().state() == RunState::Frozen && !givesWay_;
   // The keys give way to a failure.
   const bool keys = viewer.view().showsHelp() && !frozen && !panels.isAt(Edge::Left);
   Middle middle =
@@ -222,6 +232,7 @@ std::string Hud::promptText(const Viewer& viewer) const {
   }
   if (run.state() == RunState::Paused) return "paused  \u00b7  space goes on";
   if (run.asleep()) return "at rest  \u00b7  click the cloth to push it";
+  if (givesWay_) return "unstable  \u00b7  Esc closes the panel and shows the ways out";
   if (isBreaking(run)) return "it is breaking, in slow motion  \u00b7  space pauses, R restarts";
   return hint_;
 }
@@ -231,7 +242,7 @@ void Hud::drawPrompt(const Viewer& viewer, Middle& middle) const {
   if (text.empty()) return;
   TextWriter writer = writerIn(viewer, middle);
   const bool noted = !viewer.notes().text().empty();
-  const bool warns = noted ? viewer.notes().warns() : isBreaking(viewer.run());
+  const bool warns = noted ? viewer.notes().warns() : givesWay_ || isBreaking(viewer.run());
   const Colours& colours = coloursOn(writer.background);
   const RunState state = viewer.run().state();
   const bool prompts = state == RunState::Waiting || state == RunState::Paused;

@@ -129,6 +129,7 @@ void Panels::setOpen(std::size_t which, bool open) {
   slot.open = open;
   std::erase(order_, which);
   if (open) {
+    ++timesOpened_;
     order_.push_back(which);
   } else {
     slot.panel->close();
@@ -138,6 +139,7 @@ void Panels::setOpen(std::size_t which, bool open) {
 /// Whole, and as the one opened last.
 void Panels::show(std::size_t which) {
   setOpen(which, true);
+  ++timesOpened_;
   std::erase(order_, which);
   order_.push_back(which);
 }

@@ -37,6 +37,8 @@ class Panels {
 
   /// Pixels that panels at this edge take of the window's width; 0 where there are none, or titles alone.
   [[nodiscard]] float width(Edge edge) const;
+  /// How often a panel has been opened or unfolded so far.
+  [[nodiscard]] int timesOpened() const { return timesOpened_; }
   /// Pixels below the bars at the upper edge that titles take where there are titles alone.
   [[nodiscard]] float titles() const;
   /// There is a panel, or the title of one.
@@ -77,6 +79,7 @@ class Panels {
   [[nodiscard]] float widthOf(std::size_t which) const;
 
   bool copyAsked_ = false;
+  int timesOpened_ = 0;
   float size_;
   float floor_ = 1e6F;
   double rested_ = -1e6;                              ///< s, ImGui's time at which the mouse last moved
