@@ -32,8 +32,9 @@ const vec2 kCorners[6] = vec2[6](vec2(0, -1), vec2(1, -1), vec2(0, 1), vec2(0, 1
 const float kFringe = 0.75;       // pixels on each side that hold the soft edge
 const float kDensest = 0.3;       // share of the space between lines that a line may fill
 const float kThinnest = 1.0;      // pixels; below that a line grows fainter instead
-const float kFlat = 2.2;          // pixels from line to line; nearer ones become an even tone ...
-const float kApart = 3.5;         // ... and those farther apart are lines
+const float kSoftWidth = 2.0;     // pixels; such lines are as dark wherever they lie between pixels
+// Pixels from line to line: nearer ones become an even tone, then come soft lines, then sharp ones.
+const float kFlat = 2.6, kSoftFrom = 4.0, kSoftTo = 5.0, kApart = 8.0;
 
 vec3 viewPosition(uint particle) {
   int i = 3 * int(particle);
@@ -78,16 +79,22 @@ void main() {
   float drawn = max(wanted, kThinnest);
   int low = int(min(ends.x, ends.y)), high = int(max(ends.x, ends.y));
   int beside = spacing > 0.0 ? besideOf(corner.x < 0.5 ? int(ends.x) : int(ends.y), low, high) : -1;
+  float alone = drawn;  // the width of what one line has for itself
   if (beside >= 0) {
     vec4 clipC = projection * vec4(viewPosition(uint(beside)), 1);
     vec2 away = windowPosition(clipC) - windowPosition(corner.x < 0.5 ? clipA : clipB);
     float apart = max(abs(away.x * along.y - away.y * along.x), kThinnest / 20);
     // Lines whose width is a whole multiple of their distance cover all pixels alike, wherever they lie between them.
-    float even = apart * ceil(kThinnest / apart);
-    if (apart < kApart && clipC.w > 0.0) drawn = max(drawn, mix(even, drawn, smoothstep(kFlat, kApart, apart)));
+    float even = apart * ceil(kSoftWidth / apart);
+    if (apart < kApart && clipC.w > 0.0) {
+      float soft = mix(kSoftWidth, drawn, smoothstep(kSoftTo, kApart, apart));
+      drawn = max(drawn, mix(even, soft, smoothstep(kFlat, kSoftFrom, apart)));
+      alone = min(apart, drawn);
+    }
   }
   tone = drawn > max(wanted, kThinnest) ? 1.0 : 0.0;
-  opacity = min(wanted / drawn, 1.0);
+  // Where lines lie over each other, all of them together are as dark as if each had its own place.
+  opacity = 1.0 - pow(1.0 - min(wanted / alone, 1.0), alone / drawn);
   halfWidth = drawn / 2;
   across = corner.y * (halfWidth + kFringe);
   farness = clamp((depth - depths.x) / (depths.y - depths.x), 0.0, 1.0);

@@ -24,18 +24,18 @@ const float kThrough = 0.35;  // share of the light that comes through
 #include "light.glsl"
 
 // Drivers without a graphics card compute every branch for every pixel, so each pattern is a program of its own.
-#if PATTERN == PLAIN
+#if defined(PLAIN)
 // Threads that cross over and under each other. They fade before they are too fine for the picture.
 vec3 ownColour() {
   vec2 threads = onSheet * perCell, pixel = fwidth(threads);
-  float clear = 1 - smoothstep(0.22, 0.55, max(pixel.x, pixel.y));
+  float clear = 1 - smoothstep(0.18, 0.42, max(pixel.x, pixel.y));
   vec2 cell = floor(threads), across = threads - cell - 0.5;
   bool warp = mod(cell.x + cell.y, 2.0) < 0.5;  // the thread on top runs down, or across
   vec2 on = warp ? across : across.yx;          // from its middle line, and along it
   float height = (1 - 1.5 * on.x * on.x) * (1 - on.y * on.y) / 0.802;
   return colour * mix(1.0, height * (warp ? 1.03 : 0.97), clear);
 }
-#elif PATTERN == CHECKER
+#elif defined(CHECKER)
 // Dark where two stripes cross, as wide as the gaps between them. Each is averaged over the pixel.
 vec3 ownColour() {
   vec2 at = onSheet * perCell, pixel = max(fwidth(at), vec2(1e-5));
@@ -44,12 +44,12 @@ vec3 ownColour() {
   vec2 dark = clamp((behind - before) / pixel, 0.0, 1.0);
   return mix(mix(vec3(0.93), colour, 0.04), colour, 0.5 * (dark.x + dark.y));
 }
-#elif PATTERN == IMAGE
+#elif defined(IMAGE)
 vec3 ownColour() {
   vec4 picture = texture(image, onSheet * perCell);
   return mix(colour, picture.rgb, picture.a);
 }
-#elif PATTERN == NUMBERS
+#elif defined(NUMBERS)
 vec3 ownColour() {
   float along = clamp(alongRamp, 0.0, 1.0) * 4;
   int below = min(int(along), 3);
@@ -66,7 +66,7 @@ void main() {
   if (side < 0.0) normal = -normal;
   float towardsEye = max(dot(normal, sight), 0.0);
   vec3 light = kLeast + kEye * towardsEye + kLamps * lampLight(point, normal, kThrough);
-#if PATTERN == NUMBERS
+#if defined(NUMBERS)
   light = mix(vec3(1), light, 0.4);  // colours tell them
 #endif
   painted = vec4(min(ownColour() * light, 1.0), opacity);

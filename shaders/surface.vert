@@ -22,7 +22,7 @@ void main() {
   int number = besideCut ? int(particle) : gl_VertexID;
   onSheet = besideCut ? place : vec2(number % columns, number / columns);
   alongRamp = 0.0;
-#if PATTERN == NUMBERS
+#if defined(NUMBERS)
   alongRamp = (texelFetch(values, number).r - range.x) / max(range.y - range.x, 1e-30);
 #endif
   point = position;

@@ -50,13 +50,14 @@ const Sheet& ClothPainter::withoutHeld(const ShownState& shown) {
   return sheetWithoutHeld_;
 }
 
-ClothPainter::ClothPainter(const Viewer& viewer, float scale)
-    : renderer_(std::make_unique<SheetRenderer>(viewer.run().simulation().sheet())),
+ClothPainter::ClothPainter(const Viewer& viewer, float scale, const std::shared_ptr<Programs>& programs)
+    : programs_(programs),
+      renderer_(std::make_unique<SheetRenderer>(viewer.run().simulation().sheet(), programs)),
       scale_(scale),
       sheet_(viewer.scenes().sheetsSoFar()) {}
 
 void ClothPainter::draw(const Viewer& viewer, Panels& panels, Extent window) {
-  if (sheet_ != viewer.scenes().sheetsSoFar()) *this = ClothPainter(viewer, scale_);
+  if (sheet_ != viewer.scenes().sheetsSoFar()) *this = ClothPainter(viewer, scale_, programs_);
   ClothPicture picture{.options = viewer.view().drawOptions()};
   picture.options.wind = shownWind(viewer);
   picture.options.scale = std::min(scale_, std::max(1.0F, float(window.height) / kHeightAtScale1));
@@ -77,7 +78,7 @@ void ClothPainter::draw(const Viewer& viewer, Panels& panels, Extent window) {
   renderer_->follow(withoutHeld(viewer.run().shown()));
   renderer_->draw(positions, camera, pixels, picture.options, viewer.tools().drawing().arrow);
   if (picture.ghost.size() != positions.size() || picture.ghostSheet == nullptr) return;
-  if (!ghost_) ghost_ = std::make_unique<SheetRenderer>(*picture.ghostSheet);
+  if (!ghost_) ghost_ = std::make_unique<SheetRenderer>(*picture.ghostSheet, programs_);
   ghost_->follow(*picture.ghostSheet);
   const bool dark = picture.options.background == Background::Dark;
   ghost_->draw(picture.ghost, camera, pixels,

@@ -19,13 +19,16 @@ class ClothPainter {
  public:
   /// A context must be current as long as this lives. `scale`: of the widths of lines and discs. Throws as
   /// SheetRenderer does.
-  explicit ClothPainter(const Viewer& viewer, float scale = 1);
+  explicit ClothPainter(const Viewer& viewer, float scale = 1)
+      : ClothPainter(viewer, scale, std::make_shared<Programs>()) {}
   /// Into the bound framebuffer. Makes a new renderer where the viewer has another sheet than before.
   void draw(const Viewer& viewer, Panels& panels, Extent window);
 
  private:
+  ClothPainter(const Viewer& viewer, float scale, const std::shared_ptr<Programs>& programs);
   const Sheet& withoutHeld(const ShownState& shown);
 
+  std::shared_ptr<Programs> programs_;
   std::unique_ptr<SheetRenderer> renderer_;
   std::unique_ptr<SheetRenderer> ghost_;  ///< its springs may differ; null until one is shown
   Sheet sheetWithoutHeld_;

@@ -14,7 +14,7 @@ namespace {
 
 // In sizes of the text.
 constexpr float kPattern = 5, kPlot = 9, kPad = 0.6F, kLine = 1.3F;
-constexpr float kLeastCloth = 8;  // what the cloth keeps, across, to the left of the picture
+constexpr float kLeastCloth = 8;  // what the cloth keeps, across to the left of the picture, or below it
 
 ImU32 mixed(float share, Background background) {
   const RampColours& ramp = coloursOf(Ramp::Balanced, background);
@@ -68,31 +68,36 @@ void drawEnergy(const TextWriter& writer, ImVec2 from, ImVec2 to, std::span<cons
 
 }  // namespace
 
-float drawFailurePicture(TextWriter writer, ImVec2 upper, ImVec2 lower, const Viewer& viewer) {
-  constexpr float kLines = 36,
-                  kSmallest = 0.6F;  // in a window of fewer lines it is smaller, to leave the cloth in view
+ImVec2 drawFailurePicture(TextWriter writer, ImVec2 upper, ImVec2 lower, const Viewer& viewer) {
+  // In a window of fewer lines, and between panels, it is smaller, to leave the cloth in view.
+  constexpr float kLines = 36, kSmallest = 0.6F;
   writer.size *= std::clamp(ImGui::GetIO().DisplaySize.y / (kLines * writer.size), kSmallest, 1.0F);
   const std::optional<FailingMotion>& motion = viewer.run().failure().motion();
   const auto moments = viewer.run().breaking();
   const bool breaks = moments.size() > 1 && viewer.run().showsBreaking();
-  if (!motion && !breaks) return 0;
-  const float size = writer.size, pad = kPad * size;
+  if (!motion && !breaks) return {};
   const std::string name = motion ? "fails first: " + motion->name : "";
+  const float patternSizes = motion ? kPattern + kPad : 0, plotSizes = breaks ? kPlot + kPad : 0;
+  const auto widthNow = [&] {
+    return std::max(writer.extent(name).x, (patternSizes + plotSizes - kPad) * writer.size) + 2 * kPad * writer.size;
+  };
+  writer.size *= std::clamp((lower.x - upper.x) / widthNow(), kSmallest, 1.0F);
+  const float size = writer.size, pad = kPad * size, width = std::floor(widthNow());
   const float height = 2 * pad + (kLine + kPattern) * size;
-  const float pattern = motion ? kPattern * size + pad : 0, plot = breaks ? kPlot * size + pad : 0;
-  const float width = std::max(writer.extent(name).x + pad, pattern + plot) + pad;
   const ImVec2 from{lower.x - width, upper.y};
-  if (from.x - kLeastCloth * size < upper.x || from.y + height > lower.y) return 0;
+  const bool beside = from.x - kLeastCloth * size >= upper.x;
+  if (from.x < upper.x || from.y + height + (beside ? 0 : kLeastCloth * size) > lower.y) return {};
   writer.shade(from, {lower.x, from.y + height});
   writer.write({from.x + pad, from.y + pad}, coloursOn(writer.background).text, name);
   const ImVec2 at{from.x + pad, from.y + pad + kLine * size};
   if (motion) drawPattern(writer, at, *motion);
-  if (!breaks) return width;
-  const float left = at.x + pattern;
+  const ImVec2 taken = beside ? ImVec2{width, 0} : ImVec2{0, height};
+  if (!breaks) return taken;
+  const float left = at.x + patternSizes * size;
   writer.write({left, motion ? at.y : at.y - kLine * size}, coloursOn(writer.background).dim, "kinetic energy");
   drawEnergy(writer, {left, motion ? at.y + kLine * size : at.y}, {left + kPlot * size, at.y + kPattern * size},
              moments);
-  return width;
+  return taken;
 }
 
 }  // namespace tyg

@@ -7,7 +7,8 @@
 namespace tyg {
 
 /// In the upper right corner of what is free, which goes from `upper` to `lower`; nothing where there is nothing to
-/// tell, or no room for it beside the cloth. Returns the width of what was drawn, 0 for nothing.
-float drawFailurePicture(TextWriter writer, ImVec2 upper, ImVec2 lower, const Viewer& viewer);
+/// tell, or no room for it beside or above the cloth. Returns the width that it takes beside the cloth and the height
+/// above it, one of them 0, or both where nothing was drawn.
+ImVec2 drawFailurePicture(TextWriter writer, ImVec2 upper, ImVec2 lower, const Viewer& viewer);
 
 }  // namespace tyg

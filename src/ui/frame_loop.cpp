@@ -119,16 +119,16 @@ void FrameLoop::takeEvents() {
   if (window_.framebuffer() != shown_) stale_ = kFramesToSettle;
 }
 
-/// Where the left edge has panels, they are there instead of the keys. In a wide window the right is left free like the
-/// left with the keys, so that the cloth is in the middle.
+/// Where the left edge has panels, or their titles, they are there instead of the keys. In a wide window the right is
+/// left free like the left with the keys, so that the cloth is in the middle.
 Insets FrameLoop::insets() const {
   const Extent window = window_.framebuffer();
-  const int keys = viewer_.view().showsHelp() ? hud_.keysWidth(window) : 0;
+  const int keys = viewer_.view().showsHelp() && !panels_.isAt(Edge::Left) ? hud_.keysWidth(window) : 0;
   const auto left = static_cast<int>(panels_.width(Edge::Left)), right = static_cast<int>(panels_.width(Edge::Right));
   const bool wide = left == 0 && 2 * (keys + keys) <= window.width;
   return {.left = left > 0 ? left : keys,
           .right = std::max(right + hud_.beside(), wide && right == 0 ? keys : 0),
-          .top = hud_.above(),
+          .top = hud_.above() + static_cast<int>(panels_.titles()),
           .bottom = hud_.below(viewer_),
           .beside = panels_.beside()};
 }

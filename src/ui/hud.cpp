@@ -126,7 +126,7 @@ void Hud::draw(const Viewer& viewer, Panels& panels) {
   drawTools(viewer, size_ + writer.extent(title).x);
   const float free = drawFoot(viewer, panels);
   keys_.clear();
-  if (panels.width(Edge::Left) == 0) drawKeys(viewer, free);
+  if (!panels.isAt(Edge::Left)) drawKeys(viewer, free);
   drawWind(viewer, colours);
   drawArrow(viewer, colours);
   drawPicture(viewer, panels, free);
@@ -136,12 +136,12 @@ void Hud::draw(const Viewer& viewer, Panels& panels) {
 
 /// `free`: the height above which there is room.
 void Hud::drawPicture(const Viewer& viewer, const Panels& panels, float free) {
-  pictureWidth_ = 0;
+  picture_ = {};
   if (viewer.run().state() != RunState::Frozen && !viewer.run().showsBreaking()) return;
   const float right = screenSize().x - panels.width(Edge::Right) - size_, left = panels.width(Edge::Left) + size_;
-  const ImVec2 from{left, kTop * size_}, to{right, free - size_};
-  const float width = drawFailurePicture(writerFor(viewer), from, to, viewer);
-  if (width > 0) pictureWidth_ = width + 2 * size_;
+  const ImVec2 from{left, kTop * size_ + panels.titles()}, to{right, free - size_};
+  picture_ = drawFailurePicture(writerFor(viewer), from, to, viewer);
+  if (picture_.x > 0) picture_.x += 2 * size_;
 }
 
 /// In the upper line, right of the title, which ends at `from`; and the line that is drawn to cut along.

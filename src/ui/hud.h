@@ -38,10 +38,10 @@ class Hud {
   /// Pixels that the short list of keys takes at the left of a window of this size.
   [[nodiscard]] int keysWidth(Extent window) const;
   /// Pixels that bars and what is said take at the upper and the lower edge.
-  [[nodiscard]] int above() const { return static_cast<int>(kTop * size_); }
+  [[nodiscard]] int above() const { return static_cast<int>(kTop * size_ + picture_.y); }
   [[nodiscard]] int below(const Viewer& viewer) const;
   /// Pixels that the picture of what fails first takes, to the left of panels at the right edge.
-  [[nodiscard]] int beside() const { return static_cast<int>(pictureWidth_); }
+  [[nodiscard]] int beside() const { return static_cast<int>(picture_.x); }
   /// Between ImGui::NewFrame and ImGui::Render. Keys are left out at an edge that has panels, and the panels are told
   /// how far down they may reach.
   void draw(const Viewer& viewer, Panels& panels);
@@ -56,8 +56,9 @@ class Hud {
   static constexpr float kLine = 1.5F, kTimeLine = 2, kFoot = 2 + kLine + 0.6F + kTimeLine, kTop = 2.4F;
   struct Column;
   struct Middle;
-  [[nodiscard]] Middle middleBetween(const Panels& panels, float keys, float bottom) const;
+  [[nodiscard]] Middle middleBetween(const Panels& panels, float least, float keys, float bottom) const;
   [[nodiscard]] TextWriter writerIn(const Viewer& viewer, const Middle& middle) const;
+  void makeWay(const Panels& panels, bool frozen);
   static void ground(const TextWriter& writer, ImVec2 from, ImVec2 to, const Middle& middle);
   static void sayInMiddle(const TextWriter& writer, ImU32 colour, std::string_view text, Middle& middle);
   bool pressKey(const WindowEvent& event, const Input* under);
@@ -86,7 +87,9 @@ class Hud {
   std::vector<WindowEvent> keyEvents_;
   KeyCode keyDown_ = 0;      ///< by the mouse
   float failure_ = 0;        ///< height of all that is at the foot with the last failure, ImGui's units; 0 before
-  float pictureWidth_ = 0;   ///< of what fails first, ImGui's units; 0: not shown
+  ImVec2 picture_;           ///< what the picture of what fails first takes beside and above the cloth, ImGui's units
+  int openedBefore_ = 0;     ///< Panels::timesOpened() before the failure
+  bool givesWay_ = false;    ///< what is said of the failure gives way to a panel that was opened since
   bool overPanels_ = false;  ///< what is said of the failure is ...
   ImVec2 failureFrom_, failureTo_;  ///< ... and its corners
   TimeLine timeLine_;

@@ -12,8 +12,11 @@
 namespace tyg {
 namespace {
 
-constexpr float kLeastMiddle = 30;     // to write in between the panels
+constexpr float kLeastMiddle = 12;     // to write a line in between the panels, in sizes of the text ...
+constexpr float kLeastFailure = 30;    // ... or what is said of a failure
+constexpr float kLeastPanel = 7;       // lines that a panel is to have above that, if it was opened after the failure
 constexpr float kAbove = 0.6F;         // between what is said and what is below
+constexpr float kBeside = 4;           // left and right of it together
 constexpr float kFailureShare = 0.3F;  // of the window's height, for what is said of a failure: else it is said smaller
 constexpr float kSmallest = 0.65F;     // but not smaller than this share of the text
 
@@ -41,14 +44,6 @@ Extent framebuffer() {
 /// It was let run on, and a moment after the last good one is shown.
 bool isBreaking(const RunControl& run) { return run.failure().runsOn() && run.failure().isPast(run.shown().tick()); }
 
-std::string waysOutInWords(const RunControl& run) {
-  const auto& cure = run.failure().cure();
-  std::string text = "unstable: ";
-  if (cure && cure->step > 0) text += "V takes a safe step, ";
-  if (cure && cure->method != nullptr) text += "M a method that holds, ";
-  return text + "R restarts";
-}
-
 std::vector<Buttons::Button> waysOut(const Viewer& viewer) {
   std::vector<Buttons::Button> buttons;
   if (const auto& cure = viewer.run().failure().cure()) {
@@ -74,12 +69,13 @@ struct Hud::Middle {
   float sides = 0;         ///< above what of it reaches over the keys
 };
 
-/// `keys`: the width that they take at the left where there are no panels.
-Hud::Middle Hud::middleBetween(const Panels& panels, float keys, float bottom) const {
+/// `least`: the width that must be free for it, in sizes of the text; `keys`: that which they take at the left where
+/// there are no panels.
+Hud::Middle Hud::middleBetween(const Panels& panels, float least, float keys, float bottom) const {
   const float screen = ImGui::GetIO().DisplaySize.x;
   const float left = panels.width(Edge::Left), right = screen - panels.width(Edge::Right);
-  const bool free = right - left >= kLeastMiddle * size_;
-  return {free ? left : 0, free ? right : screen, left > 0 ? 0 : keys, free, bottom, bottom};
+  const bool free = right - left >= least * size_;
+  return {free ? left : 0, free ? right : screen, keys, free, bottom, bottom};
 }
 
 /// Over the panels where there is no room between them.
@@ -96,7 +92,7 @@ void Hud::ground(const TextWriter& writer, ImVec2 from, ImVec2 to, const Middle&
 }
 
 void Hud::sayInMiddle(const TextWriter& writer, ImU32 colour, std::string_view text, Middle& middle) {
-  const float wrap = middle.to - middle.from - 4 * writer.size;
+  const float wrap = middle.to - middle.from - kBeside * writer.size;
   const ImVec2 extent = writer.extent(text, wrap);
   const ImVec2 at{0.5F * (middle.from + middle.to - extent.x), middle.top - kAbove * writer.size - extent.y};
   ground(writer, at, {at.x + extent.x, at.y + extent.y}, middle);
@@ -107,8 +103,16 @@ void Hud::sayInMiddle(const TextWriter& writer, ImU32 colour, std::string_view t
 
 int Hud::below(const Viewer& viewer) const {
   constexpr float kSaid = 2.2F;  // a line in the large font
-  const bool frozen = viewer.run().state() == RunState::Frozen;
+  const bool frozen = viewer.run().state() == RunState::Frozen && !givesWay_;
   return static_cast<int>(frozen && failure_ > 0 ? failure_ : (kFoot - kTimeLine + kSaid) * size_);
+}
+
+/// In a low window there is no room for both, and a panel that was asked for is to be seen.
+void Hud::makeWay(const Panels& panels, bool frozen) {
+  if (!frozen) openedBefore_ = panels.timesOpened();
+  const float room = ImGui::GetIO().DisplaySize.y - failure_ - kTop * size_;
+  const bool narrow = !middleBetween(panels, kLeastFailure, 0, 0).free;
+  givesWay_ = frozen && narrow && panels.timesOpened() != openedBefore_ && room < kLeastPanel * size_;
 }
 
 /// Returns the height down to which keys may be written: what is said in the middle does not cover them.
@@ -116,10 +120,12 @@ float Hud::drawFoot(const Viewer& viewer, Panels& panels) {
   const float status = drawStatus(viewer);
   panels.endAbove(status - 0.8F * kTimeLine * size_);  // whether it is there or not: no panel jumps at a pause
   const float bottom = drawTimeLine(viewer, status);
-  const bool frozen = viewer.run().state() == RunState::Frozen;
+  makeWay(panels, viewer.run().state() == RunState::Frozen);
+  const bool frozen = viewer.run().state() == RunState::Frozen && !givesWay_;
   // The keys give way to a failure.
+  const bool keys = viewer.view().showsHelp() && !frozen && !panels.isAt(Edge::Left);
   Middle middle =
-      middleBetween(panels, viewer.view().showsHelp() && !frozen ? float(keysWidth(framebuffer())) : 0, bottom);
+      middleBetween(panels, frozen ? kLeastFailure : kLeastMiddle, keys ? float(keysWidth(framebuffer())) : 0, bottom);
   const TextWriter writer = writerIn(viewer, middle);
   if (!filming_.empty()) sayInMiddle(writer, coloursOn(writer.background).text, filming_, middle);
   overPanels_ = frozen && !middle.free && !viewer.view().showsAllKeys();
@@ -226,7 +232,8 @@ std::string Hud::promptText(const Viewer& viewer) const {
   }
   if (run.state() == RunState::Paused) return "paused  \u00b7  space goes on";
   if (run.asleep()) return "at rest  \u00b7  click the cloth to push it";
-  if (isBreaking(run)) return waysOutInWords(run);
+  if (givesWay_) return "unstable  \u00b7  Esc closes the panel and shows the ways out";
+  if (isBreaking(run)) return "it is breaking, in slow motion  \u00b7  space pauses, R restarts";
   return hint_;
 }
 
@@ -235,11 +242,14 @@ void Hud::drawPrompt(const Viewer& viewer, Middle& middle) const {
   if (text.empty()) return;
   TextWriter writer = writerIn(viewer, middle);
   const bool noted = !viewer.notes().text().empty();
-  const bool warns = noted ? viewer.notes().warns() : isBreaking(viewer.run());
+  const bool warns = noted ? viewer.notes().warns() : givesWay_ || isBreaking(viewer.run());
   const Colours& colours = coloursOn(writer.background);
   const RunState state = viewer.run().state();
   const bool prompts = state == RunState::Waiting || state == RunState::Paused;
-  if (!noted && prompts && middle.free) writer.font = fonts_.large, writer.size *= kLargeRatio;
+  TextWriter large = writer;
+  large.font = fonts_.large, large.size *= kLargeRatio;
+  const bool fits = large.extent(text).x <= middle.to - middle.from - kBeside * large.size;
+  if (!noted && prompts && middle.free && fits) writer = large;
   sayInMiddle(writer, warns ? colours.warning : colours.text, text, middle);
 }
 

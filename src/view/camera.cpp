@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -19,9 +18,10 @@ constexpr float kSpeedPerDistance = 0.9F;  // distances to the cloth flown in a 
 constexpr float kLongestMove = 0.1F;       // s: a stalled frame must not throw the eye across the scene
 constexpr float kNotchShare = 0.88F;       // of the distance that is left after one wheel notch
 constexpr float kMostNotches = 20;
-constexpr float kReach = 500;       // cloth sizes that the eye may fly away
-constexpr float kFarthest = 1e12F;  // m: squares of larger numbers come near overflow
-constexpr float kMargin = 1.12F;    // how much larger than the cloth a framed view is
+constexpr float kReach = 500;           // cloth sizes that the eye may fly away
+constexpr float kFarthest = 1e12F;      // m: squares of larger numbers come near overflow
+constexpr float kMargin = 1.12F;        // how much larger than the cloth a framed view is
+constexpr float kNarrowMargin = 1.08F;  // likewise one that is moved no farther than it must
 
 bool finite(float a, float b) { return std::isfinite(a) && std::isfinite(b); }
 
@@ -29,39 +29,69 @@ glm::vec3 finiteOr(const glm::vec3& v, const glm::vec3& otherwise) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) ? v : otherwise;
 }
 
-/// A point as one pair of a frustum's side planes sees it, m.
-struct Seen {
-  float across = 0, depth = 0;
-};
-
-/// How far points reach beyond a frustum's side planes of this slope, as seen along one axis pair.
-struct Reach {
-  float slope = 1;
-  float low = -std::numeric_limits<float>::infinity(), high = -std::numeric_limits<float>::infinity();
-  void include(const Seen& p) {
-    low = std::max(low, -p.across - slope * p.depth);
-    high = std::max(high, p.across - slope * p.depth);
-  }
-  /// The least depth of an eye that has all points between the planes.
-  [[nodiscard]] float eyeDepth() const { return -(high + low) / (2 * slope); }
-};
-
-/// Where across an eye at depth `back`, which is less than eyeDepth(), has as much space left of the points as right of
-/// them. That difference falls as the eye moves right, so that halving finds where it is 0.
-float middleAcross(std::span<const Seen> points, const Reach& reach, float back) {
-  float left = reach.high + reach.slope * back, right = -reach.low - reach.slope * back;
-  constexpr int kHalvings = 24;  // to the last bit of a float
-  for (int k = 0; k < kHalvings; ++k) {
-    const float middle = (left + right) / 2;
-    float least = std::numeric_limits<float>::infinity(), most = -least;
-    for (const Seen& p : points) {
-      const float slope = (p.across - middle) / (p.depth - back);
-      least = std::min(least, slope), most = std::max(most, slope);
-    }
-    (least + most > 0 ? left : right) = middle;
-  }
-  return (left + right) / 2;
+/// The slope of the line of sight so many heights of the picture from its middle; 0 where they are not finite.
+float slopeOf(const Camera& camera, float heights) {
+  return std::isfinite(heights) ? 2 * std::tan(camera.fieldOfView() / 2) * heights : 0;
 }
+
+/// One pair of a frustum's side planes, left and right or below and above, and how far points reach beyond it. A point
+/// p is between them where |across(p) - across(eye)| <= slope (depth(p) - depth(eye)); across is measured from the
+/// plane through the middle of the free part, which is slanted.
+class SidePlanes {
+ public:
+  SidePlanes(const glm::vec3& across, const glm::vec3& ahead, float slope, std::span<const glm::vec3> points)
+      : across_(across), ahead_(ahead), slope_(slope), points_(points) {
+    for (const glm::vec3& p : points) {
+      low_ = std::max(low_, -acrossOf(p) - slope * depthOf(p));
+      high_ = std::max(high_, acrossOf(p) - slope * depthOf(p));
+    }
+  }
+
+  /// The greatest depth of an eye that has all points between the planes.
+  [[nodiscard]] float eyeDepth() const { return -(high_ + low_) / (2 * slope_); }
+  /// The place nearest to `wanted` of an eye at this depth, at most eyeDepth(), that has them there.
+  [[nodiscard]] float nearestAcross(float wanted, float depth) const {
+    return std::min(std::max(wanted, high_ + slope_ * depth), -low_ - slope_ * depth);
+  }
+  /// Where an eye at this depth, which is less than eyeDepth(), has as much space left of the points as right of them.
+  /// That difference falls as the eye moves right, so that halving finds where it is 0.
+  [[nodiscard]] float middleAcross(float depth) const {
+    float left = high_ + slope_ * depth, right = -low_ - slope_ * depth;
+    constexpr int kHalvings = 24;  // to the last bit of a float
+    for (int k = 0; k < kHalvings; ++k) {
+      const float middle = (left + right) / 2;
+      float least = std::numeric_limits<float>::infinity(), most = -least;
+      for (const glm::vec3& p : points_) {
+        const float slope = (acrossOf(p) - middle) / (depthOf(p) - depth);
+        least = std::min(least, slope), most = std::max(most, slope);
+      }
+      (least + most > 0 ? left : right) = middle;
+    }
+    return (left + right) / 2;
+  }
+  [[nodiscard]] float acrossOf(const glm::vec3& p) const { return glm::dot(p, across_); }
+  [[nodiscard]] float depthOf(const glm::vec3& p) const { return glm::dot(p, ahead_); }
+
+ private:
+  glm::vec3 across_, ahead_;
+  float slope_;
+  std::span<const glm::vec3> points_;
+  float low_ = -std::numeric_limits<float>::infinity(), high_ = low_;
+};
+
+/// The planes at the sides of that part of the picture, and those below and above it.
+struct Sides {
+  Sides(const Camera& camera, std::span<const glm::vec3> points, const FreePart& part, float margin)
+      : slantX(slopeOf(camera, part.toTheRight)),
+        slantY(slopeOf(camera, part.above)),
+        x(camera.right() - slantX * camera.forward(), camera.forward(), slope(camera, part.width, margin), points),
+        y(camera.up() - slantY * camera.forward(), camera.forward(), slope(camera, part.height, margin), points) {}
+  static float slope(const Camera& camera, float extent, float margin) {
+    return std::tan(camera.fieldOfView() / 2) / margin * (extent > 0 && std::isfinite(extent) ? extent : 1.0F);
+  }
+  float slantX, slantY;
+  SidePlanes x, y;
+};
 
 }  // namespace
 
@@ -78,38 +108,35 @@ void Camera::frame(const Box& cloth, float aspect) {
   frame(std::span<const glm::vec3>(corners), aspect);
 }
 
-/// 0 where they are not finite.
-float Camera::slopeOf(float heights) const {
-  return std::isfinite(heights) ? 2 * std::tan(fieldOfView_ / 2) * heights : 0;
-}
-
 void Camera::slide(float toTheRight, float high) {
-  eye_ = finiteOr(eye_ - distance() * (slopeOf(toTheRight) * right() + slopeOf(high) * up()), eye_);
+  eye_ = finiteOr(eye_ - distance() * (slopeOf(*this, toTheRight) * right() + slopeOf(*this, high) * up()), eye_);
   keepInReach();
 }
 
 void Camera::frame(std::span<const glm::vec3> points, const FreePart& part) {
-  // A point p is inside the side planes where |across(p) - across(eye)| <= slope (depth(p) - depth(eye)). The eye that
-  // just satisfies this for all points is found for both axis pairs; the one that lies farther back satisfies both.
-  // Across and high are measured from the slanted planes through the middle of the free part.
-  const auto usable = [](float extent) { return extent > 0 && std::isfinite(extent) ? extent : 1.0F; };
-  const float slope = std::tan(fieldOfView_ / 2) / kMargin;
-  const float slopeX = slope * usable(part.width), slopeY = slope * usable(part.height);
-  const float slantX = slopeOf(part.toTheRight), slantY = slopeOf(part.above);
-  Reach x{.slope = slopeX}, y{.slope = slopeY};
-  std::vector<Seen> alongX, alongY;
-  for (const glm::vec3& p : points) {
-    const float depth = glm::dot(p, forward());
-    alongX.push_back({glm::dot(p, right()) - slantX * depth, depth});
-    alongY.push_back({glm::dot(p, up()) - slantY * depth, depth});
-    x.include(alongX.back()), y.include(alongY.back());
-  }
+  // Each pair of planes has an eye that just satisfies it; the one that lies farther back satisfies both.
+  const Sides sides(*this, points, part, kMargin);
   // A cloth without extent still gets some space around it.
-  const float back = std::min(x.eyeDepth(), y.eyeDepth()) - 0.05F * cloth_.size();
+  const float back = std::min(sides.x.eyeDepth(), sides.y.eyeDepth()) - 0.05F * cloth_.size();
   if (points.empty() || !std::isfinite(back)) return;
-  const float across = middleAcross(alongX, x, back) + slantX * back;
-  const float high = middleAcross(alongY, y, back) + slantY * back;
+  const float across = sides.x.middleAcross(back) + sides.slantX * back;
+  const float high = sides.y.middleAcross(back) + sides.slantY * back;
   eye_ = finiteOr(across * right() + high * up() + back * forward(), eye_);
+  keepInReach();
+}
+
+void Camera::keepInView(std::span<const glm::vec3> points, const FreePart& part) {
+  const Sides sides(*this, points, part, kNarrowMargin);
+  const float depth = glm::dot(eye_, forward());
+  const float back = std::min({depth, sides.x.eyeDepth(), sides.y.eyeDepth()});
+  if (points.empty() || !std::isfinite(back)) return;
+  // Straight back first, then aside. All of it is exactly 0 where all points are seen.
+  const auto aside = [&](const SidePlanes& planes, float slant) {
+    const float across = planes.acrossOf(eye_) + slant * (depth - back);
+    return planes.nearestAcross(across, back) - across;
+  };
+  const float toTheRight = aside(sides.x, sides.slantX), high = aside(sides.y, sides.slantY);
+  eye_ = finiteOr(eye_ + toTheRight * right() + high * up() + (back - depth) * forward(), eye_);
   keepInReach();
 }
 

@@ -39,6 +39,9 @@ class Camera {
   void frame(std::span<const glm::vec3> points, float aspect) { frame(points, FreePart{.width = aspect}); }
   /// The same for a part of the picture.
   void frame(std::span<const glm::vec3> points, const FreePart& part);
+  /// Moves the eye, keeping its direction, no farther than it must for all points to be seen in that part of the
+  /// picture.
+  void keepInView(std::span<const glm::vec3> points, const FreePart& part);
   /// Moves sideways, so that the cloth is seen so many heights of the picture farther to the right and farther up.
   void slide(float toTheRight, float up);
 
@@ -80,7 +83,6 @@ class Camera {
   [[nodiscard]] float nearest(const Box& thing) const;
 
  private:
-  [[nodiscard]] float slopeOf(float heights) const;  ///< of the line of sight so far from the picture's middle
   void keepInReach();
 
   glm::vec3 eye_{1.6F, 0.8F, 2.4F};

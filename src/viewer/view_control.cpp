@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
 #include <utility>
 
 #include "view/body_shapes.h"
@@ -12,13 +14,27 @@ namespace tyg {
 namespace {
 
 constexpr float kGlideSeconds = 0.8F;
+constexpr float kFollowRate = 10;      // 1/s: the camera catches up with a cloth that is out of view
+constexpr float kDriftDecay = 2;       // 1/s, of the camera's speed once it has
+constexpr float kLongestMove = 0.05F;  // s: a stalled frame moves the camera no farther
+constexpr float kInPieces = 1.1F;      // sizes of the motion bounds: a larger cloth has come apart
+constexpr float kAtRest = 1e-3F;       // cloth sizes a second
 
 }  // namespace
 
+void ViewControl::begin(std::vector<glm::vec3> motionBounds) {
+  motionBounds_ = std::move(motionBounds);
+  if (motionBounds_.empty()) return;
+  bounds_ = {motionBounds_.front(), motionBounds_.front()};
+  for (const glm::vec3& point : motionBounds_) bounds_ = bounds_.with({point, point});
+}
+
+bool ViewControl::inPieces() const { return cloth_.size() > kInPieces * bounds_.size(); }
+
 void ViewControl::follow(const Box& cloth, std::span<const Body> bodies, bool hasMoved) {
   cloth_ = cloth, bodies_ = bodies;
-  const bool begins = hasMoved && !std::exchange(hasMoved_, hasMoved);
-  if (begins && framed_ && !cameraMoved_ && !motionBounds_.empty()) glideTo(motionBounds_);
+  const bool turns = hasMoved != std::exchange(hasMoved_, hasMoved);
+  if (turns && (hasMoved || away_) && framed_ && !cameraMoved_ && !motionBounds_.empty()) glideTo(motionBounds_);
 }
 
 void ViewControl::resize(Extent pixels, const Insets& insets) {
@@ -36,6 +52,7 @@ void ViewControl::frameCloth() {
   camera_.watch(cloth_);
   const auto corners = cloth_.corners();
   inView_.assign(corners.begin(), corners.end());
+  away_ = false;
   addBodyPoints(bodies_, cloth_, inView_);
   fitView();
 }
@@ -43,6 +60,7 @@ void ViewControl::frameCloth() {
 void ViewControl::glideTo(std::vector<glm::vec3> points) {
   const glm::vec3 from = camera_.eye();
   inView_ = std::move(points);
+  away_ = false;
   fitView();
   glide_ = Glide{.from = from, .to = camera_.eye()};
   camera_.place(from);
@@ -58,22 +76,65 @@ void ViewControl::followBreaking(bool breaks, bool runs) {
   camera_.place(glm::mix(from, camera_.eye(), runs ? kShare : 1));
 }
 
+void ViewControl::keepInView(std::span<const float> particles, float seconds) {
+  if (!framed_ || !visible() || !hasMoved_ || motionBounds_.empty() || cameraMoved_ || glide_ || followed_) {
+    drift_ = {};
+    return;
+  }
+  if (inPieces()) {
+    if (away_) glideTo(motionBounds_);
+    return;
+  }
+  kept_.clear();
+  for (std::size_t i = 0; i < particles.size(); i += 3) {
+    kept_.emplace_back(particles[i], particles[i + 1], particles[i + 2]);
+  }
+  addBeside(kept_);
+  // First as deep into the picture as the cloth is beyond all that was framed: one that falls away would become tiny.
+  const glm::vec3 from = camera_.eye(), ahead = camera_.forward();
+  float beyond = std::numeric_limits<float>::infinity();
+  for (const glm::vec3& point : inView_) beyond = std::min(beyond, glm::dot(cloth_.centre() - point, ahead));
+  if (beyond > 0 && !inView_.empty()) camera_.place(from + beyond * ahead);
+  camera_.keepInView(kept_, part_);
+  // Its speed grows with the way that is missing and with how long it has been: a cloth that goes on steadily is
+  // followed at a small distance, and one that stops lets the camera drift to rest.
+  const glm::vec3 missing = camera_.eye() - from;
+  const float time = std::clamp(seconds, 0.0F, kLongestMove);
+  drift_ += time * (kFollowRate * kFollowRate * missing - kDriftDecay * drift_);
+  if (glm::length(drift_) < kAtRest * cloth_.size()) drift_ = {};
+  const glm::vec3 way = time * (drift_ + 2 * kFollowRate * missing);
+  camera_.place(from + way);
+  if (way != glm::vec3(0)) away_ = true;
+  for (glm::vec3& point : inView_) point += way;
+}
+
 void ViewControl::movedByHand() {
   cameraMoved_ = true;
+  stop();
+}
+
+void ViewControl::stop() {
   glide_.reset();
+  drift_ = {};
+}
+
+void ViewControl::addBeside(std::vector<glm::vec3>& points) const {
+  if (insets_.beside <= 0) return;
+  for (std::size_t i = 0, count = points.size(); i < count; ++i) {
+    points.push_back(points[i] - insets_.beside * camera_.right());
+  }
 }
 
 void ViewControl::fitView() {
   if (!visible()) return;
   part_ = freePart();
   std::vector<glm::vec3> points = inView_;
-  if (insets_.beside > 0) {
-    for (const glm::vec3& point : inView_) points.push_back(point - insets_.beside * camera_.right());
-  }
+  addBeside(points);
+  if (inPieces()) camera_.watch(bounds_);  // what fell far away asks for no space around the rest
   camera_.frame(points, part_);
   framed_ = true;
   cameraMoved_ = false;
-  glide_.reset();
+  stop();
 }
 
 FreePart ViewControl::freePart() const {

@@ -27,7 +27,7 @@ class ViewControl {
  public:
   /// A new cloth, whose motion stays within these points (m): once it moves, the view glides to where all of them are
   /// seen, unless the person has moved the camera.
-  void begin(std::vector<glm::vec3> motionBounds) { motionBounds_ = std::move(motionBounds); }
+  void begin(std::vector<glm::vec3> motionBounds);
   /// Where the cloth and the bodies, which are kept by reference, are now, and whether time has passed since the start.
   void follow(const Box& cloth, std::span<const Body> bodies, bool hasMoved);
 
@@ -42,6 +42,11 @@ class ViewControl {
   /// Once a frame of a cloth that breaks: goes along with it while it runs, and shows all of it then, unless the person
   /// has moved the camera. Afterwards, once a frame of any other: goes back.
   void followBreaking(bool breaks, bool runs);
+  /// Once a frame after that, of a cloth that has moved: where the particles (x, y, z of each, m) leave what is free of
+  /// the window, the camera goes along with them, no farther than it must, unless the person has moved it. It does not
+  /// follow parts that have come so far apart that the cloth is larger than its motion bounds (by a tenth), but goes
+  /// back to these.
+  void keepInView(std::span<const float> particles, float seconds);
   void turn(glm::vec2 pixels);                           ///< the cursor moved so far
   void orbit(glm::vec2 pixels, const glm::vec3& about);  ///< likewise, around a point, m
   void approach(float notches);                          ///< of the wheel
@@ -56,7 +61,8 @@ class ViewControl {
   void toggle(InputAction action);
 
   [[nodiscard]] const Camera& camera() const { return camera_; }
-  [[nodiscard]] bool glides() const { return glide_.has_value(); }  ///< the camera moves by itself
+  /// The camera moves by itself.
+  [[nodiscard]] bool glides() const { return glide_.has_value() || drift_ != glm::vec3(0); }
   [[nodiscard]] Extent pixels() const { return pixels_; }  ///< of the window; 0 x 0 while nothing of it can be seen
   [[nodiscard]] const Insets& insets() const { return insets_; }
   [[nodiscard]] bool visible() const { return pixels_.width > 0 && pixels_.height > 0; }
@@ -72,7 +78,10 @@ class ViewControl {
   };
   void fitView();
   void glideTo(std::vector<glm::vec3> points);
+  [[nodiscard]] bool inPieces() const;
   void movedByHand();
+  void stop();
+  void addBeside(std::vector<glm::vec3>& points) const;
   [[nodiscard]] FreePart freePart() const;
 
   Camera camera_;
@@ -85,11 +94,15 @@ class ViewControl {
   std::span<const Body> bodies_;
   bool hasMoved_ = false;
   std::vector<glm::vec3> motionBounds_;
-  std::vector<glm::vec3> inView_;  ///< what was framed
+  Box bounds_;                     ///< around them
+  std::vector<glm::vec3> inView_;  ///< what was framed, moved on with the camera where that followed the cloth
+  std::vector<glm::vec3> kept_;    ///< what keepInView() looks at
   FreePart part_;                  ///< of the window, at the last change of it
   bool framed_ = false;
   bool cameraMoved_ = false;  ///< by the person, since the cloth was framed
   std::optional<Glide> glide_;
+  glm::vec3 drift_{0};     ///< m/s, of the camera that follows the cloth
+  bool away_ = false;      ///< it has followed it, since something was framed
   bool followed_ = false;  ///< a cloth that breaks
 };
 

@@ -13,34 +13,40 @@ namespace {
 
 constexpr glm::ivec2 kSize(320, 320);
 
-/// Blue of a flat sheet seen straight on, less the background's, in the middle of the picture.
-std::vector<double> toneOf(int side, float scale = 1) {
+struct View {
+  Start start = Start::Hanging;  ///< a sheet that hangs is seen straight on, one that lies as windows show it first
+  float scale = 1;
+};
+
+/// Blue of a sheet of 2 m, less the background's, in the middle of the picture.
+std::vector<double> toneOf(int side, const View& view = {}) {
   const auto context = makeOffscreen(kSize.x, kSize.y);
   Sheet sheet;
   sheet.columns = sheet.rows = side;
   sheet.spacing = 2.0 / (side - 1);
-  sheet.start = Start::Hanging;
+  sheet.start = view.start;
   std::vector<float> xyz;
   for (int i = 0; i < sheet.count(); ++i) {
     const Vec3 p = sheet.startPosition(i);
     xyz.insert(xyz.end(), {float(p.x), float(p.y), float(p.z)});
   }
   Camera camera;
-  camera.lookAlong(0, 0);
+  if (view.start == Start::Hanging) camera.lookAlong(0, 0);
   camera.frame(boxAround(xyz), 1);
   SheetRenderer renderer(sheet);
   DrawOptions options;
   options.ground = options.pins = false;
-  options.scale = scale;
+  options.scale = view.scale;
   const auto blue = [&](bool lines) {
     options.structural = lines;
     renderer.draw(xyz, camera, kSize, options);
     return context->readPixels();
   };
   const Picture with = blue(true), without = blue(false);
+  const int part = view.start == Start::Hanging ? 6 : 12;  // what lies is low in the picture
   std::vector<double> tones;
-  for (int y = kSize.y / 3; y < 2 * kSize.y / 3; ++y) {
-    for (int x = kSize.x / 3; x < 2 * kSize.x / 3; ++x) {
+  for (int y = kSize.y / 2 - kSize.y / part; y < kSize.y / 2 + kSize.y / part; ++y) {
+    for (int x = kSize.x / 2 - kSize.x / part; x < kSize.x / 2 + kSize.x / part; ++x) {
       const auto i = 4 * std::size_t(y * kSize.x + x) + 2;
       tones.push_back(with.rgba[i] - without.rgba[i]);
     }
@@ -75,7 +81,22 @@ TEST(DenseLines, HaveAsMuchInkAsThoseThatStandALittleFartherApart) {
   for (const int side : {120, 240, 480}) EXPECT_NEAR(meanOf(toneOf(side)), apart, 0.15 * apart) << side;
 }
 
-TEST(Lines, AreWiderWhereTheScaleIsLarger) { EXPECT_NEAR(meanOf(toneOf(9, 2)) / meanOf(toneOf(9)), 2, 0.2); }
+/// How much pixels differ from those left and right of them, as a share of their mean.
+double roughness(const std::vector<double>& tones) {
+  double sum = 0;
+  for (std::size_t i = 1; i + 1 < tones.size(); ++i) {
+    const double differs = tones[i] - (tones[i - 1] + tones[i + 1]) / 2;
+    sum += differs * differs;
+  }
+  return std::sqrt(sum / double(tones.size())) / meanOf(tones);
+}
+
+TEST(DenseLines, ShowNoPatternThatTheyFormWithThePixels) {
+  for (const int side : {60, 66, 77, 90, 110})
+    EXPECT_LT(roughness(toneOf(side, {.start = Start::Flat})), 0.023) << side;
+}
+
+TEST(Lines, AreWiderWhereTheScaleIsLarger) { EXPECT_NEAR(meanOf(toneOf(9, {.scale = 2})) / meanOf(toneOf(9)), 2, 0.2); }
 
 }  // namespace
 }  // namespace tyg

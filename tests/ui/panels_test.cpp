@@ -187,7 +187,7 @@ TEST_F(PanelsTest, HaveASizeInAWindowThatHasNone) {
     ImGui::GetIO().DisplaySize = {float(size.width), float(size.height)};
     viewer_.resize(size, {.left = int(panels_.width(Edge::Left)), .right = int(panels_.width(Edge::Right))});
     frames();
-    EXPECT_GT(panels_.width(Edge::Left), 0) << size.width << " x " << size.height;
+    EXPECT_GT(panels_.width(Edge::Right), 0) << size.width << " x " << size.height;
   }
   ImGui::GetIO().DisplaySize = {1280, 720};
   frames();
@@ -241,6 +241,42 @@ TEST_F(PanelsTest, WhereAnEdgeIsTooLowTheOldOnesFoldToTheirTitlesAndNothingOverl
   ImGui::GetIO().DisplaySize = {1920, 3000};
   panels_.endAbove(3000), frames();
   for (const char* title : titles) EXPECT_FALSE(folded(title)) << title;
+}
+
+TEST_F(PanelsTest, WhereTheWindowIsTooNarrowForBothEdgesTheOneOpenedLastLeavesTheClothItsRoom) {
+  panels_.toggle(InputAction::OpenControl), panels_.toggle(InputAction::OpenChart);
+  frames();
+  EXPECT_FALSE(folded("Control") || folded("Chart")) << "there is room";
+  EXPECT_EQ(panels_.titles(), 0);
+  ImGui::GetIO().DisplaySize = {640, 400};
+  panels_.endAbove(320);
+  frames();
+  EXPECT_TRUE(folded("Control"));
+  EXPECT_FALSE(folded("Chart"));
+  EXPECT_EQ(panels_.width(Edge::Left), 0);
+  EXPECT_TRUE(panels_.isAt(Edge::Left));
+  EXPECT_LT(panels_.width(Edge::Right), 0.5F * 640);
+  const ImRect title = placeOf("Control");
+  EXPECT_GE(panels_.titles(), title.GetHeight());
+  click(title.Min.x + 60, title.GetCenter().y);
+  frames();
+  EXPECT_FALSE(folded("Control"));
+  EXPECT_TRUE(folded("Chart"));
+  EXPECT_EQ(panels_.width(Edge::Right), 0);
+}
+
+TEST_F(PanelsTest, OfLargeTextOpenInASmallWindow) {
+  Panels large(36, viewer_);
+  ImGui::GetIO().DisplaySize = {640, 400};
+  large.endAbove(300);
+  large.toggle(InputAction::OpenControl);
+  for (int k = 0; k < 6; ++k) {
+    ImGui::NewFrame();
+    large.draw(viewer_);
+    ImGui::Render();
+  }
+  EXPECT_FALSE(folded("Control"));
+  EXPECT_GT(placeOf("Control").GetHeight(), 80);
 }
 
 TEST_F(PanelsTest, AClickOnAFoldedTitleMakesItTheNewest) {

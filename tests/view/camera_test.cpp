@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace tyg {
 namespace {
@@ -67,6 +68,35 @@ TEST(Camera, FramesTheClothAboveWhatTakesTheLowerEdge) {
   EXPECT_GT(low.y, 0);
   EXPECT_LT(high.y, 1);
   EXPECT_GT(high.y - low.y, 0.7F) << "the view wastes room";
+}
+
+TEST(Camera, KeepsPointsInViewWithTheLeastMoveThatDoes) {
+  constexpr float kWide = 16.0F / 9;
+  const FreePart lowerLeft{.width = kWide / 2, .height = 0.5F, .toTheRight = -kWide / 4, .above = -0.25F};
+  Camera camera;
+  camera.watch(kCloth);
+  const auto corners = kCloth.corners();
+  camera.frame(corners, lowerLeft);
+  const auto moved = [&](const glm::vec3& way) {
+    std::vector<glm::vec3> points(corners.begin(), corners.end());
+    for (glm::vec3& point : points) point += way;
+    const glm::vec3 eye = camera.eye();
+    camera.keepInView(points, lowerLeft);
+    for (const glm::vec3& point : points) {
+      const glm::vec3 seen = ndc(camera, point, kWide);
+      EXPECT_TRUE(seen.x > -1 && seen.x < 0 && seen.y > -1 && seen.y < 0 && seen.z < 1) << way.x << " " << way.y;
+    }
+    return camera.eye() - eye;
+  };
+  EXPECT_EQ(moved({}), glm::vec3(0)) << "all is seen";
+  const glm::vec3 aside = moved(3.0F * camera.right());
+  EXPECT_GT(glm::dot(aside, camera.right()), 1);
+  EXPECT_LT(glm::length(aside), 3) << "the margin is used up first";
+  moved(2.0F * camera.right() - 4.0F * camera.up() - camera.forward());
+  const std::vector<glm::vec3> apart{{-9, 0, 0}, {9, 0, 0}};
+  camera.keepInView(apart, {.width = kWide});
+  EXPECT_LT(std::abs(ndc(camera, apart[0], kWide).x), 1) << "farther away where there is no other way";
+  EXPECT_LT(std::abs(ndc(camera, apart[1], kWide).x), 1);
 }
 
 TEST(Camera, SlidingMovesWhatIsSeenSidewaysAndUp) {

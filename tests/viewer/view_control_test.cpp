@@ -198,6 +198,105 @@ TEST(ViewControl, GlidesNowhereOnceThePersonHasMovedTheCamera) {
   }
 }
 
+/// The corners of a box as particles.
+std::vector<float> particlesOf(const Box& box) {
+  std::vector<float> xyz;
+  for (const glm::vec3& corner : box.corners()) xyz.insert(xyz.end(), {corner.x, corner.y, corner.z});
+  return xyz;
+}
+/// Shows the view a box in a frame of 0.02 s.
+void showFrame(ViewControl& view, const Box& cloth) {
+  view.follow(cloth, {}, true);
+  view.move({}, 0.02F);
+  view.keepInView(particlesOf(cloth), 0.02F);
+}
+Box squareAt(const glm::vec3& way) { return {kSquare.low + way, kSquare.high + way}; }
+/// How far the corners are from the picture's middle, in halves of its width or height.
+float farthestOut(const ViewControl& view, const Box& cloth) {
+  float most = 0;
+  for (const glm::vec3& corner : cloth.corners()) {
+    const glm::vec4 clip = view.camera().projection(16.0F / 9) * view.camera().view() * glm::vec4(corner, 1);
+    most = std::max({most, std::abs(clip.x / clip.w), std::abs(clip.y / clip.w)});
+  }
+  return most;
+}
+
+TEST(ViewControl, GoesAlongWithAClothThatIsDrawnAway) {
+  constexpr float kSpeed = 1.5F;  // m/s
+  ViewControl view = viewOfASquare();
+  view.resize(kWindow, {});
+  for (int frame = 0; frame < 50; ++frame) showFrame(view, kSquare);
+  const glm::vec3 waiting = view.camera().eye();
+  float fastest = 0;
+  for (int frame = 0; frame < 200; ++frame) {
+    const Box cloth = squareAt({0.02F * kSpeed * float(frame), 0, 0});
+    const glm::vec3 eye = view.camera().eye();
+    showFrame(view, cloth);
+    fastest = std::max(fastest, glm::distance(view.camera().eye(), eye) / 0.02F);
+    EXPECT_LT(farthestOut(view, cloth), 1) << frame;
+  }
+  EXPECT_GT(view.camera().eye().x, waiting.x + 2);
+  EXPECT_LT(fastest, 2 * kSpeed) << "gently";
+  const Box there = squareAt({6, 0, 0});
+  showFrame(view, there);
+  EXPECT_TRUE(view.glides());
+  for (int frame = 0; frame < 400; ++frame) showFrame(view, there);
+  EXPECT_FALSE(view.glides()) << "it has come to rest";
+  const glm::vec3 eye = view.camera().eye();
+  view.resize(kWindow, {.bottom = 100});
+  view.resize(kWindow, {});
+  EXPECT_LT(glm::distance(view.camera().eye(), eye), 1e-3F) << "a panel that opens and closes takes nothing away";
+}
+
+TEST(ViewControl, LeavesAClothToThePersonWhoHasMovedTheCameraAndPartsThatFallToThemselves) {
+  for (const bool byHand : {true, false}) {
+    ViewControl view = viewOfASquare();
+    view.resize(kWindow, {});
+    for (int frame = 0; frame < 50; ++frame) showFrame(view, kSquare);
+    if (byHand) view.orbit({3, 0}, {});
+    const glm::vec3 eye = view.camera().eye();
+    showFrame(view, byHand ? squareAt({5, 0, 0}) : Box{{-1, -50, 0}, {1, 1, 0}});
+    EXPECT_EQ(view.camera().eye(), eye) << byHand;
+    EXPECT_FALSE(view.glides()) << byHand;
+  }
+}
+
+TEST(ViewControl, StaysAsNearToAClothThatFallsForLong) {
+  ViewControl view = viewOfASquare();
+  view.resize(kWindow, {});
+  for (int frame = 0; frame < 60; ++frame) showFrame(view, kSquare);
+  const float distance = view.camera().distance();
+  for (int frame = 0; frame < 100; ++frame) {
+    const float time = 0.02F * float(frame);
+    showFrame(view, squareAt({0, -4.9F * time * time, 0}));
+  }
+  EXPECT_LT(view.camera().distance(), 1.3F * distance);
+}
+
+TEST(ViewControl, GoesBackAtARestartIfItHasFollowedTheCloth) {
+  for (const bool follows : {true, false}) {
+    ViewControl view = viewOfASquare();
+    view.resize(kWindow, {});
+    for (int frame = 0; frame < 60; ++frame) showFrame(view, kSquare);
+    if (follows) {
+      for (int frame = 0; frame < 60; ++frame) showFrame(view, squareAt({3, 0, 0}));
+    }
+    view.follow(kSquare, {}, false);
+    EXPECT_EQ(view.glides(), follows);
+  }
+}
+
+TEST(ViewControl, GoesBackWhereAClothThatItFollowedComesApart) {
+  ViewControl view = viewOfASquare();
+  view.resize(kWindow, {});
+  for (int frame = 0; frame < 60; ++frame) showFrame(view, kSquare);
+  const glm::vec3 eye = view.camera().eye();
+  for (int frame = 0; frame < 60; ++frame) showFrame(view, squareAt({3, 0, 0}));
+  ASSERT_GT(glm::distance(view.camera().eye(), eye), 1);
+  for (int frame = 0; frame < 60; ++frame) showFrame(view, {{-1, -50, 0}, {1, 1, 0}});
+  EXPECT_LT(glm::distance(view.camera().eye(), eye), 1e-3F);
+}
+
 TEST(ViewControl, KeepsTheClothAboveWhatTakesTheLowerEdge) {
   ViewControl view = viewOfASquare();
   constexpr int kTaken = 360;  // pixels, half of the window
@@ -216,6 +315,23 @@ TEST(ViewControl, KeepsTheClothAboveWhatTakesTheLowerEdge) {
   view.approach(0.1F);
   view.resize(kWindow, {.bottom = kTaken});
   EXPECT_GT(lowest(), -0.5F) << "a view of the person's own slides up";
+}
+
+TEST_F(ViewerTest, AClothThatAHandDrawsOutOfTheWindowIsFollowedWhenItIsLetGo) {
+  Scene scene = curtain();
+  scene.pins.clear();
+  scene.gravity = {};
+  viewer_.scenes().use(scene);
+  tap(' ');
+  frames(60);
+  pressOnCloth();
+  moveTo({1400, 300});
+  const glm::vec3 eye = viewer_.view().camera().eye();
+  frames(30);
+  EXPECT_EQ(viewer_.view().camera().eye(), eye) << "the plane in which it is drawn keeps its place";
+  release(kLeftButton);
+  frames(10);
+  EXPECT_GT(glm::dot(viewer_.view().camera().eye() - eye, viewer_.view().camera().right()), 0);
 }
 
 TEST_F(ViewerTest, TheArrowKeysLookAround) {

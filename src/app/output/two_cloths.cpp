@@ -55,6 +55,34 @@ glm::vec3 placeOf(const Cloth& cloth, const glm::vec2& share) {
   return placeOf(cloth, nearest.x, nearest.y);
 }
 
+/// The point of the first at which the two differ most.
+glm::vec3 placeOfDifference(const Cloth& one, const Cloth& other) {
+  constexpr int kSide = 12;
+  glm::vec3 place(0);
+  float most = -1;
+  for (int k = 0; k < (kSide + 1) * (kSide + 1); ++k) {
+    const glm::vec2 share = glm::vec2(k % (kSide + 1), k / (kSide + 1)) / float(kSide);
+    const glm::vec3 here = placeOf(one, share);
+    if (const float apart = glm::distance(here, placeOf(other, share)); apart > most) most = apart, place = here;
+  }
+  return place;
+}
+
+/// The particles of both but for parts that have come off and are far away from where the two differ most.
+std::vector<float> aroundDifference(const Cloth& one, const Cloth& other) {
+  constexpr double kWhole = 1.6;  // sizes of the sheet: it has no particle farther away as long as it is in one piece
+  const auto reach = static_cast<float>(kWhole * one.sheet.size());
+  const glm::vec3 place = placeOfDifference(one, other);
+  std::vector<float> near;
+  for (const std::vector<float>* xyz : {&one.xyz, &other.xyz}) {
+    for (std::size_t i = 0; i < xyz->size(); i += 3) {
+      const glm::vec3 point((*xyz)[i], (*xyz)[i + 1], (*xyz)[i + 2]);
+      if (glm::distance(point, place) < reach) near.insert(near.end(), {point.x, point.y, point.z});
+    }
+  }
+  return near;
+}
+
 /// Turns the camera to where the two lie farthest apart beside each other and the first is seen broadly.
 void turnToDifference(const Cloth& one, const Cloth& other, Camera& camera) {
   constexpr int kSide = 12, kTurns = 6;
@@ -100,16 +128,14 @@ std::unique_ptr<Offscreen> openOffscreen(glm::ivec2 size) {
 Picture overlaid(const Overlaid& first, const Overlaid& second, double time, const std::string& title,
                  glm::ivec2 size) {
   const Cloth oneCloth = clothAt(first.scene, time), otherCloth = clothAt(second.scene, time);
-  const std::vector<float>&one = oneCloth.xyz, &other = otherCloth.xyz;
+  const std::vector<float> xyz = aroundDifference(oneCloth, otherCloth);
   std::vector<glm::vec3> points;
-  for (const std::vector<float>* xyz : {&one, &other}) {
-    for (std::size_t i = 0; i < xyz->size(); i += 3) points.emplace_back((*xyz)[i], (*xyz)[i + 1], (*xyz)[i + 2]);
-  }
+  for (std::size_t i = 0; i < xyz.size(); i += 3) points.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
   std::vector<Body> bodies;
   placeBodies(first.scene, time, bodies);
-  addBodyPoints(bodies, boxAround(one).with(boxAround(other)), points);
+  addBodyPoints(bodies, boxAround(xyz), points);
   Camera camera;
-  camera.watch(boxAround(one).with(boxAround(other)));
+  camera.watch(boxAround(xyz));
   turnToDifference(oneCloth, otherCloth, camera);
   camera.frame(points, static_cast<float>(size.x) / static_cast<float>(size.y));
 
@@ -122,11 +148,11 @@ Picture overlaid(const Overlaid& first, const Overlaid& second, double time, con
   draw.fade = kFade;
   draw.mesh = unit(kPaleBlue);
   draw.lineWidth = kWide;
-  oneSheet.draw(one, camera, size, draw);
+  oneSheet.draw(oneCloth.xyz, camera, size, draw);
   draw.mesh = unit(kDarkRed);
   draw.lineWidth = kNarrow;
   draw.over = true;
-  otherSheet.draw(other, camera, size, draw);
+  otherSheet.draw(otherCloth.xyz, camera, size, draw);
   Picture picture = offscreen->readPixels();
   writeLegend(picture, {{title}, {first.words, true, kPaleBlue}, {second.words, true, kDarkRed}});
   return picture;

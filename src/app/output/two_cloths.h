@@ -18,8 +18,8 @@ struct Overlaid {
 };
 
 /// Simulates both to `time` (s) and draws the first in wide pale lines, the second in narrow dark ones over it, from a
-/// side where they differ, on a light ground, with a legend and `title` above it. Throws InputError where nothing can
-/// draw, and where a run fails.
+/// side where they differ and near enough to see that, on a light ground, with a legend and `title` above it. Throws
+/// InputError where nothing can draw, and where a run fails.
 Picture overlaid(const Overlaid& first, const Overlaid& second, double time, const std::string& title,
                  glm::ivec2 size = {1280, 720});
 

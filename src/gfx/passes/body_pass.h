@@ -2,8 +2,6 @@
 // Must not know: how they push the cloth, how they move.
 #pragma once
 
-#include <optional>
-
 #include "gfx/passes/pass.h"
 
 namespace tyg {
@@ -14,10 +12,9 @@ class BodyPass final : public Pass {
   void draw(const Frame& frame) override;
 
  private:
-  void drawSolids(std::span<const Body> bodies, float swell, float opacity) const;
+  void drawSolids(const GlProgram& program, std::span<const Body> bodies, float swell, float opacity) const;
 
   const Canvas& canvas_;
-  std::optional<GlProgram> program_;  // made when a body is first shown
 };
 
 }  // namespace tyg

@@ -2,8 +2,8 @@
 // Must not know: what the discs are.
 #pragma once
 
-#include "gfx/gl_objects.h"
 #include "gfx/passes/frame.h"
+#include "gfx/passes/programs.h"
 
 namespace tyg {
 
@@ -21,6 +21,7 @@ inline DiscStyle markerStyle(const glm::vec3& colour) {
 
 class DiscDrawing {
  public:
+  explicit DiscDrawing(Programs& programs) : program_(programs.get("discs")) {}
   /// Prepares for glDraw...(GL_POINTS, ...) with the vertices of a Positions object bound.
   void use(const Frame& frame, const DiscStyle& style) const {
     useShaded(program_, frame, style.shading);
@@ -30,7 +31,7 @@ class DiscDrawing {
   }
 
  private:
-  GlProgram program_{"discs"};
+  const GlProgram& program_;
 };
 
 }  // namespace tyg

@@ -8,6 +8,7 @@
 #include "gfx/gl_objects.h"
 #include "gfx/passes/frame.h"
 #include "gfx/passes/positions.h"
+#include "gfx/passes/programs.h"
 #include "tyg/sheet.h"
 
 namespace tyg {
@@ -43,12 +44,13 @@ struct LineStyle {
 
 class LineDrawing {
  public:
+  explicit LineDrawing(Programs& programs) : program_(programs.get("lines")) {}
   void draw(const Frame& frame, const Positions& positions, const LineEnds& ends, const LineStyle& style) const;
 
  private:
   void setColours(const Frame& frame, const LineColours& colours) const;
 
-  GlProgram program_{"lines"};
+  const GlProgram& program_;
   GlVertexArray nothing_;  // the shader looks everything up; OpenGL still wants a vertex array
 };
 

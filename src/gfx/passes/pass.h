@@ -10,21 +10,23 @@
 #include "gfx/passes/frame.h"
 #include "gfx/passes/line_drawing.h"
 #include "gfx/passes/positions.h"
+#include "gfx/passes/programs.h"
 #include "tyg/sheet.h"
 
 namespace tyg {
 
 /// What all passes of a renderer draw from and with. Outlives them.
 struct Canvas {
-  /// A sheet of up to Positions::mostPoints() particles.
-  explicit Canvas(Sheet of) : sheet(std::move(of)) {}
+  /// A sheet of up to Positions::mostPoints() particles. The programs outlive it.
+  Canvas(Sheet of, Programs& with) : sheet(std::move(of)), programs(with) {}
 
   Sheet sheet;
+  Programs& programs;
   Positions positions{sheet.count()};   ///< of the particles, uploaded once a frame before the first pass
   ClothMesh cloth{positions.buffer()};  ///< uploaded once a frame before the first pass, where a surface is shown
   BodyMeshes bodies;                    ///< of the options, where these are not drawn over another picture
-  LineDrawing lines;
-  DiscDrawing discs;
+  LineDrawing lines{programs};
+  DiscDrawing discs{programs};
 
   [[nodiscard]] bool showsSurface(const DrawOptions& options) const {
     return options.show != Show::Lines && !options.over && ClothSurface::possible(sheet);

@@ -26,34 +26,33 @@ Box startBox(const Sheet& sheet) {
 void PlanePass::draw(const Frame& frame) {
   const auto isPlane = [](const Body& body) { return body.shape == Shape::Plane; };
   if (frame.options.over || std::ranges::none_of(frame.options.bodies, isPlane)) return;
-  if (!program_) program_.emplace("planes");
-  program_->use();
-  program_->set("view", frame.view);
-  program_->set("projection", frame.projection);
-  program_->set("cell", static_cast<float>(roundStep(canvas_.sheet.size() / 4)));
-  program_->set("colour", frame.palette.floor);
-  program_->set("grid", frame.palette.floorGrid);
+  const GlProgram& program = canvas_.programs.get("planes");
+  program.use();
+  program.set("view", frame.view);
+  program.set("projection", frame.projection);
+  program.set("cell", static_cast<float>(roundStep(canvas_.sheet.size() / 4)));
+  program.set("colour", frame.palette.floor);
+  program.set("grid", frame.palette.floorGrid);
   glBindVertexArray(nothing_.name());
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(kSlantedSink, 0);
   for (const Body& body : frame.options.bodies) {
-    if (isPlane(body)) drawPlane(frame, body);
+    if (isPlane(body)) drawPlane(frame, program, body);
   }
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-void PlanePass::drawPlane(const Frame& frame, const Body& plane) const {
+void PlanePass::drawPlane(const Frame& frame, const GlProgram& program, const Body& plane) const {
   const PlanePatch patch = patchOf(plane, startBox(canvas_.sheet).with(frame.camera.watched()), frame.options.bodies);
   const glm::vec3 normal = vec(plane.normal), at = vec(plane.at);
   const bool outside = glm::dot(frame.camera.eye() - at, normal) > 0;
-  program_->set("middle", patch.middle - kSink * static_cast<float>(canvas_.sheet.spacing) * normal);
-  program_->set("across", patch.across);
-  program_->set("along", patch.along);
-  program_->set("radius", patch.radius);
-  program_->set("origin",
-                glm::vec2(glm::dot(patch.middle - at, patch.across), glm::dot(patch.middle - at, patch.along)));
-  program_->set("fill", outside ? 1.0F : 0.0F);
-  program_->set("opacity", outside ? 1.0F : kFaint);
+  program.set("middle", patch.middle - kSink * static_cast<float>(canvas_.sheet.spacing) * normal);
+  program.set("across", patch.across);
+  program.set("along", patch.along);
+  program.set("radius", patch.radius);
+  program.set("origin", glm::vec2(glm::dot(patch.middle - at, patch.across), glm::dot(patch.middle - at, patch.along)));
+  program.set("fill", outside ? 1.0F : 0.0F);
+  program.set("opacity", outside ? 1.0F : kFaint);
   glDepthMask(outside ? GL_TRUE : GL_FALSE);
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   glDepthMask(GL_TRUE);

@@ -2,8 +2,6 @@
 // Must not know: how they push the cloth, how they move.
 #pragma once
 
-#include <optional>
-
 #include "gfx/passes/pass.h"
 
 namespace tyg {
@@ -14,11 +12,10 @@ class PlanePass final : public Pass {
   void draw(const Frame& frame) override;
 
  private:
-  void drawPlane(const Frame& frame, const Body& plane) const;
+  void drawPlane(const Frame& frame, const GlProgram& program, const Body& plane) const;
 
   const Canvas& canvas_;
-  std::optional<GlProgram> program_;  // made when a plane is first shown
-  GlVertexArray nothing_;             // the shader makes its square itself
+  GlVertexArray nothing_;  // the shader makes its square itself
 };
 
 }  // namespace tyg

@@ -46,7 +46,7 @@ void ShadowPass::drawMask(const Frame& frame, const Floor& floor) {
   glViewport(0, 0, kMask, kMask);
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT);
-  const GlProgram& program = objects_->maskProgram;
+  const GlProgram& program = canvas_.programs.get("shadow_mask");
   program.use();
   program.set("shadow", shadow_->projection);
   program.set("floorPlane", glm::vec4(floor.normal, -glm::dot(floor.normal, floor.at)));
@@ -62,7 +62,7 @@ void ShadowPass::drawMask(const Frame& frame, const Floor& floor) {
 
 void ShadowPass::draw(const Frame& frame) {
   if (!shadow_) return;
-  const GlProgram& program = objects_->program;
+  const GlProgram& program = canvas_.programs.get("shadow");
   program.use();
   program.set("view", frame.view);
   program.set("projection", frame.projection);

@@ -19,7 +19,6 @@ class ShadowPass final : public Pass {
   /// Made when a shadow is first shown.
   struct Objects {
     Objects();
-    GlProgram maskProgram{"shadow_mask"}, program{"shadow"};
     GlFramebuffer framebuffer;
     GlTexture mask;
     GlVertexArray nothing;  // the shader makes its square itself

@@ -31,12 +31,16 @@ constexpr std::unique_ptr<Pass> (*kPasses[])(const Canvas& canvas){
     make<SpringPass>,       make<ParticlePass>, make<PushPass>,   make<WindPass>,
 };
 
-std::unique_ptr<Canvas> makeCanvas(const Sheet& sheet) {
+/// Of all depths, by which what is drawn over another picture comes nearer: where two cloths agree to rounding, the one
+/// drawn over the other would be seen in patches. At three metres it is a centimetre.
+constexpr double kOverNearer = 1e-3;
+
+std::unique_ptr<Canvas> makeCanvas(const Sheet& sheet, Programs& programs) {
   if (sheet.count() > Positions::mostPoints()) {
     throw InputError(fmt::format("sheet: found {} particles, allowed: up to {}, as this graphics driver draws no more",
                                  sheet.count(), Positions::mostPoints()));
   }
-  return std::make_unique<Canvas>(sheet);
+  return std::make_unique<Canvas>(sheet, programs);
 }
 
 void setState(glm::ivec2 pixels) {
@@ -51,7 +55,8 @@ void setState(glm::ivec2 pixels) {
 
 }  // namespace
 
-SheetRenderer::SheetRenderer(const Sheet& sheet) : canvas_(makeCanvas(sheet)) {
+SheetRenderer::SheetRenderer(const Sheet& sheet, std::shared_ptr<Programs> programs)
+    : programs_(std::move(programs)), canvas_(makeCanvas(sheet, *programs_)) {
   for (const auto& makePass : kPasses) passes_.push_back(makePass(*canvas_));
 }
 SheetRenderer::~SheetRenderer() = default;
@@ -88,7 +93,9 @@ void SheetRenderer::draw(std::span<const float> xyz, const Camera& camera, glm::
     // The ground covers all of the picture.
     glClear((options.ground ? 0U : GL_COLOR_BUFFER_BIT) | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   }
+  glDepthRange(0, options.over ? 1 - kOverNearer : 1);
   for (const std::unique_ptr<Pass>& pass : passes_) pass->draw(frame);
+  glDepthRange(0, 1);
   glBindVertexArray(0);
 }
 

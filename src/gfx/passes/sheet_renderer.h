@@ -9,6 +9,7 @@
 
 #include <glm/glm.hpp>
 
+#include "gfx/passes/programs.h"
 #include "tyg/sheet.h"
 #include "view/camera.h"
 #include "view/draw_options.h"
@@ -25,7 +26,9 @@ class SheetRenderer {
  public:
   /// Throws std::runtime_error with the driver's log where a shader does not compile, and InputError where the driver
   /// cannot hold so large a sheet. `sheet` is copied.
-  explicit SheetRenderer(const Sheet& sheet);
+  explicit SheetRenderer(const Sheet& sheet) : SheetRenderer(sheet, std::make_shared<Programs>()) {}
+  /// With the programs of other renderers in the same context.
+  SheetRenderer(const Sheet& sheet, std::shared_ptr<Programs> programs);
   ~SheetRenderer();
   SheetRenderer(const SheetRenderer&) = delete;
   SheetRenderer& operator=(const SheetRenderer&) = delete;
@@ -42,6 +45,7 @@ class SheetRenderer {
             const std::optional<ShownPush>& push = std::nullopt);
 
  private:
+  std::shared_ptr<Programs> programs_;
   std::unique_ptr<Canvas> canvas_;
   std::vector<std::unique_ptr<Pass>> passes_;
 };

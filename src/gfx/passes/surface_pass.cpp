@@ -1,9 +1,8 @@
 // Surfaces lie a little behind where they are, so that lines and discs on them are seen whole.
 #include "gfx/passes/surface_pass.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
+#include <array>
 
 #include "gfx/passes/kept_picture.h"
 #include "gfx/picture.h"
@@ -15,8 +14,10 @@ namespace {
 constexpr float kThreads = 128, kChecks = 12;     // along the larger side of the sheet
 constexpr float kBehind = 1.5F, kBehindFlat = 2;  // as glPolygonOffset takes them
 constexpr int kMostSmooth = 128 * 128;  // particles of a sheet whose outline is softened: of others it takes too long
-constexpr glm::vec2 kCopiesAside{0.7F, 1};       // half pixels; few edges have that direction, which stay sharp
-constexpr float kSoft = 0.4F;                    // opacity of each of the copies that soften it
+constexpr glm::vec2 kCopiesAside{0.7F, 1};  // half pixels; few edges have that direction, which stay sharp
+constexpr float kSoft = 0.4F;               // opacity of each of the copies that soften it
+/// For each pattern.
+constexpr std::array kDefines{"", "#define PLAIN\n", "#define CHECKER\n", "#define IMAGE\n", "#define NUMBERS\n"};
 enum TextureUnit { ValuesUnit = 0, ImageUnit };  // in which the shaders find their textures
 
 glm::vec3 vec(const Vec3& v) { return {float(v.x), float(v.y), float(v.z)}; }
@@ -35,7 +36,8 @@ void SurfacePass::draw(const Frame& frame) {
   const Look& look = options.look != nullptr ? *options.look : kUsual;
   if (!objects_) objects_.emplace();
   const Pattern pattern = uploadValues(frame) ? Pattern::Numbers : patternOf(look);
-  const GlProgram& program = use(pattern);
+  const GlProgram& program = canvas_.programs.get("surface", kDefines.at(static_cast<std::size_t>(pattern)));
+  program.use();
   program.set("view", frame.view);
   program.set("projection", frame.projection);
   program.set("eye", frame.camera.eye());
@@ -66,19 +68,6 @@ void SurfacePass::drawSoftEdges(const Frame& frame, const GlProgram& program) co
     canvas_.cloth.draw(program);
   }
   glDepthMask(GL_TRUE);
-}
-
-const GlProgram& SurfacePass::use(Pattern pattern) {
-  constexpr std::array<const char*, 5> kNames{"NONE", "PLAIN", "CHECKER", "IMAGE", "NUMBERS"};
-  const auto chosen = static_cast<std::size_t>(pattern);
-  std::optional<GlProgram>& program = objects_->programs.at(chosen);
-  if (!program) {
-    std::string defines = fmt::format("#define PATTERN {}\n", chosen);
-    for (std::size_t k = 0; k < kNames.size(); ++k) defines += fmt::format("#define {} {}\n", kNames.at(k), k);
-    program.emplace("surface", defines);
-  }
-  program->use();
-  return *program;
 }
 
 /// False where the colours are not by a number, or where there is not one for every particle.

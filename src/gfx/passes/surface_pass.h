@@ -2,7 +2,6 @@
 // Must not know: how its triangles come about, what the numbers mean.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,11 +19,9 @@ class SurfacePass final : public Pass {
   enum class Pattern { None, Plain, Checker, Image, Numbers };
   /// Made when a surface is first shown.
   struct Objects {
-    std::array<std::optional<GlProgram>, 5> programs;  ///< one for each pattern, made when it is first shown
     GlBuffer values;
     GlTexture valueTexture, image;
   };
-  [[nodiscard]] const GlProgram& use(Pattern pattern);
   void drawSoftEdges(const Frame& frame, const GlProgram& program) const;
   [[nodiscard]] bool uploadValues(const Frame& frame);
   [[nodiscard]] Pattern patternOf(const Look& look);

@@ -11,7 +11,8 @@ namespace tyg {
 
 class SurroundingsPass final : public Pass {
  public:
-  explicit SurroundingsPass(const Canvas& canvas) : sheet_(canvas.sheet) {}
+  explicit SurroundingsPass(const Canvas& canvas)
+      : sheet_(canvas.sheet), program_(canvas.programs.get("surroundings")) {}
   void draw(const Frame& frame) override;
 
  private:
@@ -26,7 +27,7 @@ class SurroundingsPass final : public Pass {
   void paint(const Look& look) const;
 
   const Sheet& sheet_;
-  GlProgram program_{"surroundings"};
+  const GlProgram& program_;
   GlVertexArray nothing_;  // the shader makes its one triangle itself
   KeptPicture picture_;
   std::optional<Look> painted_, kept_;

@@ -8,12 +8,13 @@ constexpr double kNearest = 0.01;  // of all depths
 
 void WindPass::draw(const Frame& frame) {
   if (!frame.options.wind || frame.options.over) return;
-  program_.use();
+  const GlProgram& program = programs_.get("solid");
+  program.use();
   const ShownWind& wind = *frame.options.wind;
-  program_.set("model", windArrowModel(wind));
-  program_.set("view", glm::mat4(glm::mat3(frame.view)));  // turned as the cloth is, but not moved
-  program_.set("projection", windArrowProjection(wind, frame.pixels.x / frame.pixels.y));
-  program_.set("colour", frame.palette.wind);
+  program.set("model", windArrowModel(wind));
+  program.set("view", glm::mat4(glm::mat3(frame.view)));  // turned as the cloth is, but not moved
+  program.set("projection", windArrowProjection(wind, frame.pixels.x / frame.pixels.y));
+  program.set("colour", frame.palette.wind);
   glDepthRange(0, kNearest);
   arrow_.draw();
   glDepthRange(0, 1);

@@ -10,11 +10,11 @@ namespace tyg {
 
 class WindPass final : public Pass {
  public:
-  explicit WindPass(const Canvas& /*canvas*/) {}
+  explicit WindPass(const Canvas& canvas) : programs_(canvas.programs) {}
   void draw(const Frame& frame) override;
 
  private:
-  GlProgram program_{"solid"};
+  Programs& programs_;
   SolidMesh arrow_{arrowSolid()};
 };
 

@@ -124,8 +124,9 @@ class ControlPanel final : public Panel {
       tip(scope, aboutMethod(findMethod(wanted.integrator)));
     }
     const bool adaptive = findMethod(wanted.integrator).adaptive;
-    name(adaptive ? "interval" : "step", scope.size);
-    if (slider("##step", wanted.dt, 1e3, {kShortestMs, kLongestMs}, "%.4g ms")) {
+    name(adaptive ? "output" : "step", scope.size);
+    const char* format = adaptive ? "interval %.4g ms" : "%.4g ms";
+    if (slider("##step", wanted.dt, 1e3, {kShortestMs, kLongestMs}, format)) {
       wanted.dt = std::clamp(wanted.dt, kShortestMs * 1e-3, kLongestMs * 1e-3);
     }
     tip(scope, (adaptive ? "The output interval: within it " + wanted.integrator +

@@ -223,11 +223,14 @@ class EnergyPanel final : public Panel {
     bool known = true;
   };
   [[nodiscard]] bool isStill(const Power& power) const { return std::abs(power.watts) < 1e-3 * most_; }
+  [[nodiscard]] float thickness(const PanelScope& scope, const Power& power) const {
+    return 1 + 0.5F * scope.size * std::min(float(std::abs(power.watts) / most_), 1.0F);
+  }
   /// A line as wide as the power is great, with its head where the power goes.
   void bond(const PanelScope& scope, ImVec2 from, ImVec2 to, const Power& power) const {
     const double watts = power.watts;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float share = float(std::abs(watts) / most_), thick = 1 + 0.5F * scope.size * std::min(share, 1.0F);
+    const float thick = thickness(scope, power);
     const bool still = isStill(power);
     const Colour colour = still ? faded(scope.colours.dim, 0.5F) : scope.colours.accent;
     list.AddLine(from, to, colour, thick);
@@ -241,7 +244,7 @@ class EnergyPanel final : public Panel {
                              {middle.x - head * (way.x + way.y) / 2, middle.y - head * (way.y - way.x) / 2}, colour);
     }
   }
-  /// Beside the box at the outer end, where lines to many boxes lie farthest apart.
+  /// Beside the box at the outer end, where lines to many boxes lie farthest apart, and clear of its own line.
   void number(const PanelScope& scope, ImVec2 outer, ImVec2 masses, float half, const Power& power) const {
     const std::string text = power.known ? fmt::format("{:.2g} W", std::abs(power.watts)) : "- W";
     const float small = 0.85F * scope.size;
@@ -249,8 +252,9 @@ class EnergyPanel final : public Panel {
     const float sign = outer.x < masses.x ? 1.0F : -1.0F, beside = half + 0.3F * scope.size + extent / 2;
     const float slope = (masses.y - outer.y) / std::abs(masses.x - outer.x);
     const ImVec2 at{outer.x + sign * beside, outer.y + slope * beside};
-    ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), small,
-                                        {at.x - extent / 2, at.y + (power.above ? -1.3F : 0.35F) * scope.size},
+    const float clear = (thickness(scope, power) + std::abs(slope) * extent) / 2;
+    const float y = power.above ? at.y - clear - small : at.y + clear;
+    ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), small, {at.x - extent / 2, y},
                                         isStill(power) ? scope.colours.dim : scope.colours.text, text.c_str());
   }
 

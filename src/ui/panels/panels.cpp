@@ -14,6 +14,10 @@ namespace {
 
 /// Of the window's width, at most, for a panel at an edge: the cloth keeps the middle.
 constexpr float kWidestShare = 0.46F;
+/// Of the window's width, at least, that the cloth keeps between panels at both edges.
+constexpr float kLeastBetween = 0.2F;
+/// Lines of text that a window has room for at least: in a low one large text is smaller.
+constexpr float kFewestLines = 20;
 constexpr float kNarrowest = 8;  ///< text sizes, in whatever window: ImGui takes no widget without a size
 /// From the window's edges, in text sizes: the title is above.
 constexpr float kSide = 0.6F, kAbove = 2.4F, kBetween = 0.25F;
@@ -125,6 +129,7 @@ void Panels::setOpen(std::size_t which, bool open) {
   slot.open = open;
   std::erase(order_, which);
   if (open) {
+    ++timesOpened_;
     order_.push_back(which);
   } else {
     slot.panel->close();
@@ -134,6 +139,7 @@ void Panels::setOpen(std::size_t which, bool open) {
 /// Whole, and as the one opened last.
 void Panels::show(std::size_t which) {
   setOpen(which, true);
+  ++timesOpened_;
   std::erase(order_, which);
   order_.push_back(which);
 }
@@ -151,10 +157,14 @@ void Panels::paint(ClothPicture& picture) {
   colouredBy_ = picture.options.colouring.by;
 }
 
+float Panels::largestText() const {
+  return std::min(size_, std::max(1.0F, ImGui::GetIO().DisplaySize.y / kFewestLines));
+}
+
 /// A panel that gets less than the width it was made for is drawn smaller as a whole, so that nothing in it is cut.
 float Panels::textSize(const PanelKind& kind) const {
-  const float share = std::max(kWidestShare * ImGui::GetIO().DisplaySize.x, kNarrowest * size_);
-  return std::min(size_, share / kind.width);
+  const float share = std::max(kWidestShare * ImGui::GetIO().DisplaySize.x, kNarrowest * largestText());
+  return std::min(largestText(), share / kind.width);
 }
 
 float Panels::widthOf(const PanelKind& kind) const { return std::round(kind.width * textSize(kind)); }
@@ -174,13 +184,38 @@ bool Panels::isAtEdge(std::size_t which, Edge edge) const {
   return slots_[which].open && !slots_[which].dragged && panelTable()[which].edge == edge;
 }
 
-float Panels::width(Edge edge) const {
+bool Panels::isAt(Edge edge) const {
+  return std::ranges::any_of(order_, [&](std::size_t which) { return isAtEdge(which, edge); });
+}
+
+float Panels::widest(Edge edge) const {
   float widest = 0;
   for (const std::size_t which : order_) {
-    const PanelKind& kind = panelTable()[which];
-    if (kind.edge == edge && !slots_[which].dragged) widest = std::max(widest, widthOf(kind) + 2 * kSide * size_);
+    if (isAtEdge(which, edge)) widest = std::max(widest, widthOf(panelTable()[which]) + 2 * kSide * largestText());
   }
   return widest;
+}
+
+/// To the panels at the other edge, where there is no room for both.
+bool Panels::yields(Edge edge) const {
+  const auto newest =
+      std::find_if(order_.rbegin(), order_.rend(), [&](std::size_t which) { return !slots_[which].dragged; });
+  if (newest == order_.rend() || isAtEdge(*newest, edge)) return false;
+  return widest(Edge::Left) + widest(Edge::Right) > (1 - kLeastBetween) * ImGui::GetIO().DisplaySize.x;
+}
+
+float Panels::width(Edge edge) const { return yields(edge) ? 0 : widest(edge); }
+
+float Panels::titles() const {
+  float highest = 0;
+  for (const Edge edge : {Edge::Left, Edge::Right}) {
+    float high = 0;
+    for (const std::size_t which : order_) {
+      if (yields(edge) && isAtEdge(which, edge)) high += slots_[which].title + kBetween * largestText();
+    }
+    highest = std::max(highest, high);
+  }
+  return highest;
 }
 
 float Panels::beside() const {
@@ -214,19 +249,21 @@ void Panels::watchMouse() {
 
 /// The newest is whole; the others are as far as the height goes, the newer ones first.
 void Panels::arrange(Edge edge) {
-  const float top = kAbove * size_, between = kBetween * size_;
+  const float top = kAbove * largestText(), between = kBetween * largestText();
   const float height = std::min(floor_, ImGui::GetIO().DisplaySize.y) - top;
+  const auto lowest = [this](std::size_t which) { return kLowest * textSize(panelTable()[which]); };
   float spare = height + between;
   for (const std::size_t which : order_) {
     if (isAtEdge(which, edge)) spare -= slots_[which].title + between;
   }
+  const bool yield = yields(edge);
   bool newest = true;
   for (std::size_t k = order_.size(); k-- > 0;) {
     Slot& slot = slots_[order_[k]];
     if (!isAtEdge(order_[k], edge)) continue;
     const float more = std::max(0.0F, slot.natural - slot.title);
-    const bool room = more + (slot.folded ? kLeeway * size_ : 0) <= spare;
-    slot.folded = !room && (!newest || slot.title + spare < kLowest * size_);
+    const bool room = more + (slot.folded ? kLeeway * largestText() : 0) <= spare;
+    slot.folded = yield || (!room && (!newest || slot.title + spare < lowest(order_[k])));
     if (!slot.folded) spare -= more;
     newest = false;
   }
@@ -236,7 +273,7 @@ void Panels::arrange(Edge edge) {
     if (slot.dragged) slot.folded = false, slot.maxHeight = height;
     if (!isAtEdge(which, edge)) continue;
     slot.top = y;
-    slot.maxHeight = std::max(std::max(slot.natural, slot.title) + spare, kLowest * size_);
+    slot.maxHeight = std::max(std::max(slot.natural, slot.title) + spare, lowest(which));
     y += (slot.folded ? slot.title : std::min(std::max(slot.natural, slot.title), slot.maxHeight)) + between;
   }
 }
@@ -245,7 +282,7 @@ void Panels::arrange(Edge edge) {
 void Panels::placeNext(std::size_t which) {
   const PanelKind& kind = panelTable()[which];
   Slot& slot = slots_[which];
-  const float width = widthOf(which), side = kSide * size_;
+  const float width = widthOf(which), side = kSide * largestText();
   const float x = std::round(kind.edge == Edge::Left ? side : ImGui::GetIO().DisplaySize.x - width - side);
   // Only where its position has changed: ImGui moves a window that is being dragged before this.
   if (!slot.dragged && (x != slot.x || std::round(slot.top) != slot.y)) {

@@ -31,11 +31,18 @@ class Panels {
   /// Panels end above this height, pixels from the top of the window.
   void endAbove(float y) { floor_ = y; }
   /// All open panels, between ImGui::NewFrame and ImGui::Render. Where an edge is too low for all panels at it,
-  /// those opened longest ago are folded to their titles; a click on a title makes it the one opened last.
+  /// those opened longest ago are folded to their titles; a click on a title makes it the one opened last. Where the
+  /// window is too narrow for panels at both edges, those at the edge without the one opened last are folded.
   void draw(Viewer& viewer);
 
-  /// Pixels that panels at this edge take of the window's width; 0 where there are none.
+  /// Pixels that panels at this edge take of the window's width; 0 where there are none, or titles alone.
   [[nodiscard]] float width(Edge edge) const;
+  /// How often a panel has been opened or unfolded so far.
+  [[nodiscard]] int timesOpened() const { return timesOpened_; }
+  /// Pixels below the bars at the upper edge that titles take where there are titles alone.
+  [[nodiscard]] float titles() const;
+  /// There is a panel, or the title of one.
+  [[nodiscard]] bool isAt(Edge edge) const;
   /// Insets::beside.
   [[nodiscard]] float beside() const;
   [[nodiscard]] bool busy() const;
@@ -64,11 +71,15 @@ class Panels {
   void placeNext(std::size_t which);
   void measure(std::size_t which);
   [[nodiscard]] bool isAtEdge(std::size_t which, Edge edge) const;
+  [[nodiscard]] float widest(Edge edge) const;
+  [[nodiscard]] bool yields(Edge edge) const;
+  [[nodiscard]] float largestText() const;
   [[nodiscard]] float textSize(const PanelKind& kind) const;
   [[nodiscard]] float widthOf(const PanelKind& kind) const;
   [[nodiscard]] float widthOf(std::size_t which) const;
 
   bool copyAsked_ = false;
+  int timesOpened_ = 0;
   float size_;
   float floor_ = 1e6F;
   double rested_ = -1e6;                              ///< s, ImGui's time at which the mouse last moved

@@ -30,7 +30,8 @@ Range rangeOf(const RunningSeries& series, std::span<const RunningCurve> curves,
     }
   }
   if (!(high >= low) || std::isinf(high) || std::isinf(low)) return {};
-  constexpr double kFlat = 1e-6;  // of the value: samples are floats
+  if (low == 0 && high == 0 && least == 0) return {-1, 1, 1};
+  constexpr double kFlat = 1e-5;  // of the value: samples are floats, and numbers at the axis are to differ
   least = std::max({least, kFlat * std::abs(high), kFlat * std::abs(low), 1e-30});
   if (high - low < least) {
     const double middle = (low + high) / 2;
@@ -45,7 +46,9 @@ std::string numberText(double value, double step) {
   if (std::abs(value) < step / 1e6) return "0";
   const int digits = -static_cast<int>(std::floor(std::log10(step) + 1e-9));
   constexpr int kMostDigits = 6;
-  return digits > kMostDigits ? fmt::format("{:.2g}", value) : fmt::format("{:.{}f}", value, std::max(0, digits));
+  if (digits <= kMostDigits) return fmt::format("{:.{}f}", value, std::max(0, digits));
+  const int significant = 2 + static_cast<int>(std::floor(std::log10(std::abs(value) / step) + 1e-9));
+  return fmt::format("{:.{}g}", value, std::clamp(significant, 2, kMostDigits + 1));
 }
 
 /// The values of the curves at one sample, beside the cursor.

@@ -70,7 +70,7 @@ void ScenePictures::simulate(Entry& entry, double deadline, const Clock& clock) 
   if (entry.simulated) entry.simulation.reset();
 }
 
-void ScenePictures::draw(Entry& entry, Background background) const {
+void ScenePictures::draw(Entry& entry, Background background) {
   if (!entry.picture) entry.picture = std::make_unique<PictureTexture>(width_, height_);
   Camera camera;
   const Box box = boxAround(entry.xyz);
@@ -81,7 +81,8 @@ void ScenePictures::draw(Entry& entry, Background background) const {
   std::vector<glm::vec3> points(corners.begin(), corners.end());
   addBodyPoints(bodies, box, points);
   camera.frame(points, static_cast<float>(width_) / static_cast<float>(height_));
-  SheetRenderer renderer(entry.sheet);
+  if (!programs_) programs_ = std::make_shared<Programs>();
+  SheetRenderer renderer(entry.sheet, programs_);
   DrawOptions options;
   options.background = background;
   options.bodies = bodies;

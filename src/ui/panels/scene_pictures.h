@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "gfx/passes/programs.h"
 #include "gfx/picture_texture.h"
 #include "tyg/simulation.h"
 #include "view/draw_options.h"
@@ -44,10 +45,11 @@ class ScenePictures {
  private:
   [[nodiscard]] bool due(const Entry& entry, Background background) const;
   static void simulate(Entry& entry, double deadline, const Clock& clock);
-  void draw(Entry& entry, Background background) const;
+  void draw(Entry& entry, Background background);
 
   int width_, height_;
   std::vector<Entry> entries_;
+  std::shared_ptr<Programs> programs_;  ///< of all pictures
   bool finished_ = false;
 };
 

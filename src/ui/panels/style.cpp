@@ -83,7 +83,7 @@ void applyStyle(Background background, float size) {
   set(ImGuiCol_Header, colours.accent, 0.25F), set(ImGuiCol_HeaderHovered, colours.accent, 0.35F);
   set(ImGuiCol_HeaderActive, colours.accent, 0.5F);
   // The value is written over the grab.
-  set(ImGuiCol_SliderGrab, colours.accent, 0.55F), set(ImGuiCol_SliderGrabActive, colours.accent, 0.8F);
+  set(ImGuiCol_SliderGrab, colours.accent, 0.35F), set(ImGuiCol_SliderGrabActive, colours.accent, 0.55F);
   set(ImGuiCol_CheckMark, colours.accent), set(ImGuiCol_TextSelectedBg, colours.accent, 0.35F);
   set(ImGuiCol_ScrollbarBg, colours.panel, 0), set(ImGuiCol_ScrollbarGrab, colours.dim, 0.5F);
   // Whole pixels: ImGui gives a window that fits its contents a scroll bar for a fraction of one.
@@ -97,7 +97,7 @@ void applyStyle(Background background, float size) {
   style.ItemSpacing = {sizes(0.45F), sizes(0.25F)};
   style.ItemInnerSpacing = {sizes(0.4F), sizes(0.3F)};
   style.ScrollbarSize = sizes(0.8F);
-  style.GrabMinSize = sizes(0.5F);
+  style.GrabMinSize = sizes(0.4F);
   style.WindowBorderSize = 1;
   style.WindowTitleAlign = {0, 0.5F};
   style.WindowMenuButtonPosition = ImGuiDir_None;
