@@ -44,7 +44,10 @@ std::string textOf(KernelFile file, const std::string& defines) {
   return text;
 }
 
-std::string nameOf(KernelFile file) { return file == KernelFile::Step ? "step.glsl" : "leapfrog_begin.glsl"; }
+std::string nameOf(KernelFile file) {
+  constexpr std::array kNames{"step.glsl", "leapfrog_begin.glsl", "gather.glsl"};
+  return kNames.at(static_cast<std::size_t>(file));
+}
 
 Kernel::Kernel(const Gl& gl, const std::string& name, const std::string& text) : gl_(gl) {
   const GLuint shader = gl.CreateShader(GL_COMPUTE_SHADER);

@@ -11,7 +11,7 @@
 
 namespace tyg {
 
-enum class KernelFile { Step, LeapfrogBegin };
+enum class KernelFile { Step, LeapfrogBegin, Gather };
 /// The name of its text in kernels/.
 std::string nameOf(KernelFile file);
 /// The whole text of a program. `defines`: lines of GLSL that stand before everything else.

@@ -54,7 +54,7 @@ double bandwidth() {
   Card card(openContext);
   double best = 0;
   card.run([&] {
-    CardBuffer from(card.gl()), to(card.gl());
+    CardBuffer from(card), to(card);
     const std::vector<char> zeros(kCopied);
     from.write(zeros.data(), kCopied), to.write(zeros.data(), kCopied);
     for (int turn = 0; turn < 2 * kTurns; ++turn) {

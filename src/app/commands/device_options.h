@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/reports/device_report.h"
+#include "gpu/opened_context.h"
 #include "tyg/scene.h"
 #include "viewer/card_offer.h"
 
@@ -27,12 +28,14 @@ struct ChosenDevice {
 };
 /// The graphics card, compared with the processor on this scene's first steps, where it is asked for and there; where
 /// there is none, says so on standard error and takes the processor. Throws InputError where the card does not take the
-/// scene. `command` is what the message begins with.
-ChosenDevice chosenDevice(const DeviceOptions& options, const Scene& scene, int threads, const std::string& command);
+/// scene. `command` is what the message begins with. `drawing` finds the functions of the OpenGL context that is
+/// current and draws; the card computes in there where that is as good as any other one.
+ChosenDevice chosenDevice(const DeviceOptions& options, const Scene& scene, int threads, const std::string& command,
+                          GlFinder drawing = nullptr);
 /// The graphics card computes in float, which is what it is asked for where nobody said `double`.
 void takeFloatOnCard(Scene& scene, const DeviceOptions& options, bool precisionGiven);
 
 /// The same for the window, where somebody asks for the card. Throws std::runtime_error where none serves.
-OfferedCard offeredCard(const Scene& scene, int threads);
+OfferedCard offeredCard(const Scene& scene, int threads, GlFinder drawing);
 
 }  // namespace tyg

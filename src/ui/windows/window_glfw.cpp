@@ -126,6 +126,7 @@ class GlfwWindow final : public Window {
     return y > 0 ? y : 1;
   }
   [[nodiscard]] bool closeRequested() const override { return glfwWindowShouldClose(window_) != 0; }
+  [[nodiscard]] Finder finder() const override { return glfwGetProcAddress; }
 
   // Where ImGui has a queue of its own, it puts its own callbacks before ours and calls ours too.
   void attachOverlay() override {
