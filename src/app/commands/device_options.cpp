@@ -85,6 +85,27 @@ ChosenDevice chosenDevice(const DeviceOptions& options, const Scene& scene, int 
   }
 }
 
+/// A study is of several methods; the comparison, of one that a card knows.
+ChosenDevice deviceForStudy(const DeviceOptions& options, const Scene& scene, const std::string& command) {
+  Scene compare = scene;
+  compare.precision = Precision::Float;
+  compare.integrator = "leapfrog";
+  if (options.device.empty()) {
+    try {
+      const auto card = openCard(nullptr);
+      if (card->isProcessor()) return {};
+      ChosenDevice chosen = compared(card, compare, 1);
+      return chosen.report.sameBits ? chosen : ChosenDevice{};
+    } catch (const std::runtime_error&) {
+      return {};
+    }
+  }
+  ChosenDevice chosen = chosenDevice(options, compare, 1, command);
+  if (chosen.report.sameBits) return chosen;
+  std::cerr << command << ": errors would not be the card's, so the processor takes all runs" << std::endl;
+  return {};
+}
+
 void takeFloatOnCard(Scene& scene, const DeviceOptions& options, bool precisionGiven) {
   if (options.asksForCard() && !precisionGiven) scene.precision = Precision::Float;
 }

@@ -15,7 +15,7 @@ class Command;
 class Device;
 
 struct DeviceOptions {
-  std::string device = "cpu";
+  std::string device = "cpu";  ///< or `gpu`
   [[nodiscard]] bool asksForCard() const { return device == "gpu"; }
 };
 /// Adds --device to a command. `options` must live as long as `command`.
@@ -32,6 +32,10 @@ struct ChosenDevice {
 /// current and draws; the card computes in there where that is as good as any other one.
 ChosenDevice chosenDevice(const DeviceOptions& options, const Scene& scene, int threads, const std::string& command,
                           GlFinder drawing = nullptr);
+/// The same for a study, whose errors are the processor's: a card with other bits is not taken. Where nothing was
+/// chosen (an empty DeviceOptions::device), a real card is taken in silence, and a processor that stands in for one is
+/// not.
+ChosenDevice deviceForStudy(const DeviceOptions& options, const Scene& scene, const std::string& command);
 /// The graphics card computes in float, which is what it is asked for where nobody said `double`.
 void takeFloatOnCard(Scene& scene, const DeviceOptions& options, bool precisionGiven);
 
