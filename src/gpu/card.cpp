@@ -88,9 +88,9 @@ void Card::work(const ContextOpener& open) {
   context_ = {};
 }
 
-Kernel& Card::kernel(KernelFile file, const std::string& defines) {
-  std::unique_ptr<Kernel>& kernel = kernels_[nameOf(file) + defines];
-  if (!kernel) kernel = std::make_unique<Kernel>(gl_, nameOf(file), textOf(file, defines));
+Kernel& Card::kernel(const std::string& file, const std::string& defines) {
+  std::unique_ptr<Kernel>& kernel = kernels_[file + defines];
+  if (!kernel) kernel = std::make_unique<Kernel>(gl_, file, programOf(file, defines));
   return *kernel;
 }
 

@@ -45,8 +45,8 @@ class Card {
 
   // Within a task:
   [[nodiscard]] const Gl& gl() const { return gl_; }
-  /// The program made of this kernel with these lines of defines, from then on the same one.
-  Kernel& kernel(KernelFile file, const std::string& defines);
+  /// The program of this file in kernels/ with these lines of defines, from then on the same one.
+  Kernel& kernel(const std::string& file, const std::string& defines);
   /// Throws std::runtime_error where the driver has reported an error.
   void refuseErrors() const;
   void countRead(std::size_t bytes) { bytesRead_ += bytes; }

@@ -124,7 +124,7 @@ void CardSheet::setMoment(Kernel& kernel) const {
 }
 
 void CardSheet::pass(CardUpdate update, std::initializer_list<InPass> roles, float step, float kick) {
-  Kernel& kernel = card_.kernel(KernelFile::Step, definesOf(update));
+  Kernel& kernel = card_.kernel("step.glsl", definesOf(update));
   kernel.use();
   setScene(kernel);
   setMoment(kernel);
@@ -144,13 +144,13 @@ void CardSheet::showTo(std::initializer_list<InPass> roles) {
 }
 
 void CardSheet::beginLeapfrog(std::initializer_list<InPass> roles, float step, float kick) {
-  Kernel& kernel = card_.kernel(KernelFile::LeapfrogBegin, "#define CUT 0\n");
+  Kernel& kernel = card_.kernel("leapfrog_begin.glsl", "#define CUT 0\n");
   kernel.use();
   run(kernel, roles, step, kick);
 }
 
 void CardSheet::gather(const CardBuffer& xyz, const CardBuffer& extremes) {
-  Kernel& kernel = card_.kernel(KernelFile::Gather, "#define CUT 0\n");
+  Kernel& kernel = card_.kernel("gather.glsl", "#define CUT 0\n");
   kernel.use();
   xyz.show(kXyz), extremes.show(kExtremes);
   run(kernel, {{PassRole::Position, Field::X}}, 0, 0);
