@@ -152,8 +152,8 @@ void CardSheet::beginLeapfrog(std::initializer_list<InPass> roles, float step, f
 void CardSheet::gather(const CardBuffer& xyz, const CardBuffer& extremes) {
   Kernel& kernel = card_.kernel("gather.glsl", "#define CUT 0\n");
   kernel.use();
-  xyz.show(kXyz), extremes.show(kExtremes);
-  run(kernel, {{PassRole::Position, Field::X}}, 0, 0);
+  xyz.show(kXyz), extremes.show(kExtremes), kinds_.show(kKinds);
+  run(kernel, {{PassRole::Position, Field::X}, {PassRole::Velocity, Field::V}}, 0, 0);
 }
 
 void CardSheet::run(Kernel& kernel, std::initializer_list<InPass> roles, float step, float kick) {
