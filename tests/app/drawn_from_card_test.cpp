@@ -131,6 +131,19 @@ TEST_F(DrawnFromCard, PicturesAndTheBoxAreThoseOfPositionsThatWereReadBack) {
   }
 }
 
+TEST_F(DrawnFromCard, ThePersonTakesTheProcessorAndTheCardAgain) {
+  open("curtain");
+  viewer_->scenes().offerCard([this](const Scene&) { return OfferedCard{device_, "a card"}; });
+  for (const bool onCard : {false, true}) {
+    viewer_->scenes().moveOnCard(onCard);
+    viewer_->perform(InputAction::StartOrPause);
+    for (int count = 0; count < 3; ++count) (void)frame();
+    EXPECT_GT(simulation().ticks(), 0);
+    EXPECT_EQ(shown().onDevice(), onCard);
+    EXPECT_EQ(picture(shown().drawn()).rgba, picture(DrawnPositions(shown().positions())).rgba);
+  }
+}
+
 TEST_F(DrawnFromCard, AFailureIsFoundAtTheTickWhereTheProcessorFindsIt) {
   const Scene scene = [] {
     Scene failing = loadScene("fail-stretched", methodNames());
