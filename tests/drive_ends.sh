@@ -8,10 +8,10 @@ tyg=$1 backend=$2
 limit=90 # seconds for everything, on a slow and busy machine
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/driving.sh"
 
-# start_recording: a new window that runs, and films where ffmpeg is there.
+# start_recording [OPTION...]: a new window that runs, and films where ffmpeg is there.
 start_recording() {
   rm -f "$record"
-  open_window curtain --window "$backend" --record "$record"
+  open_window curtain --window "$backend" --record "$record" "$@"
   press space
   until_true "space starts" in_state running
   press z
@@ -39,13 +39,13 @@ if command -v ffmpeg >/dev/null; then
 fi
 
 # Whoever reads the messages has gone; then the display goes, and Xlib ends the program. The display is one of its own: that
-# of xvfb-run must stay until the end.
+# of xvfb-run must stay until the end. What is on the graphics card, where there is one, has to come back first.
 Xvfb -displayfd 3 -screen 0 "${screen}x24" -nolisten tcp 3>"$work/display" 2>/dev/null &
 server=$!
 trap 'kill "$server" 2>/dev/null || true; cleanup' EXIT
 for ((turn = 0; turn < turns && $(wc -l <"$work/display") == 0; ++turn)); do sleep 0.05; done
 DISPLAY=:$(<"$work/display")
-start_recording
+start_recording --device gpu
 kill -PIPE "$viewer"
 few_frames
 kill -KILL "$server"

@@ -51,6 +51,7 @@ struct Glance {
 };
 
 class Device;
+class DevicePositions;
 
 /// What a caller may ask of a simulation besides its scene.
 struct Settings {
@@ -158,6 +159,8 @@ class Simulation {
   [[nodiscard]] Vec3 velocity(int particle) const;  ///< m/s
   /// x, y, z of every particle in index order, for drawing; `xyz` holds 3 * count numbers.
   void copyPositions(std::span<float> xyz) const;
+  /// The positions of now where a device has them, in the OpenGL context that draws; null where none does.
+  [[nodiscard]] std::shared_ptr<const DevicePositions> positionsOnDevice() const;
   [[nodiscard]] std::uint64_t hash() const;  ///< of the positions, the velocities, and what cuts and tears have taken
 
   /// The energies now. This is an energy check as well: it never makes a later alarm less likely.
@@ -165,6 +168,7 @@ class Simulation {
   /// What ledger() and then status() would say now, without an energy check: when the alarm goes does not depend on how
   /// often somebody looks.
   [[nodiscard]] Glance glance() const;
+  [[nodiscard]] double checkedKinetic() const;  ///< energy, J, that the last energy check found
   /// Largest stable step (s) of the present method at the present state, damping included: infinite where nothing sets
   /// a limit, NaN where the method has none (rkc2, whose stages follow the sheet's waves, included) or the state is not
   /// finite. Costs at most four force evaluations, which are not counted, and leaves the motion alone. It follows one

@@ -18,7 +18,10 @@ Card::Card(const ContextOpener& open) {
   std::rethrow_exception(failure_);
 }
 
+Card::Card(GlFinder find) { begin(find); }
+
 Card::~Card() {
+  if (draws()) return;
   {
     const std::lock_guard lock(mutex_);
     ends_ = true;
@@ -29,6 +32,10 @@ Card::~Card() {
 
 void Card::run(const std::function<void()>& task) {
   const std::lock_guard caller(oneCaller_);
+  if (draws()) {
+    while (gl_.GetError() != GL_NO_ERROR) continue;  // somebody else's
+    return task();
+  }
   std::unique_lock lock(mutex_);
   task_ = &task;
   changed_.notify_all();
@@ -36,9 +43,8 @@ void Card::run(const std::function<void()>& task) {
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
-void Card::begin(const ContextOpener& open) {
-  context_ = open();
-  if (gladLoadGLContext(&gl_, context_.find) < GLAD_MAKE_VERSION(4, 3)) {
+void Card::begin(GlFinder find) {
+  if (gladLoadGLContext(&gl_, find) < GLAD_MAKE_VERSION(4, 3)) {
     throw std::runtime_error("it offers less than OpenGL 4.3");
   }
   name_ = reinterpret_cast<const char*>(gl_.GetString(GL_RENDERER));
@@ -55,7 +61,8 @@ void Card::begin(const ContextOpener& open) {
 
 void Card::work(const ContextOpener& open) {
   try {
-    begin(open);
+    context_ = open();
+    begin(context_.find);
   } catch (...) {
     failure_ = std::current_exception();
     context_ = {};
@@ -81,9 +88,9 @@ void Card::work(const ContextOpener& open) {
   context_ = {};
 }
 
-Kernel& Card::kernel(KernelFile file, const std::string& defines) {
-  std::unique_ptr<Kernel>& kernel = kernels_[nameOf(file) + defines];
-  if (!kernel) kernel = std::make_unique<Kernel>(gl_, nameOf(file), textOf(file, defines));
+Kernel& Card::kernel(const std::string& file, const std::string& defines) {
+  std::unique_ptr<Kernel>& kernel = kernels_[file + defines];
+  if (!kernel) kernel = std::make_unique<Kernel>(gl_, file, programOf(file, defines));
   return *kernel;
 }
 

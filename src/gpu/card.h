@@ -1,5 +1,5 @@
-// The graphics card: a thread that owns an OpenGL context, and the compute programs that were made there.
-// Must not know: methods, what moves.
+// The graphics card: an OpenGL context and the thread that it belongs to, and the compute programs that were made
+// there. Must not know: methods, what moves.
 #pragma once
 
 #include <condition_variable>
@@ -17,12 +17,15 @@
 
 namespace tyg {
 
-/// A context belongs to one thread, and a thread to one window system's context at a time. A thread of its own keeps
-/// the card apart from whatever draws.
+/// A context belongs to one thread, and a thread to one window system's context at a time: a card has a thread of its
+/// own, or else the context and the thread of whoever draws.
 class Card {
  public:
-  /// Throws std::runtime_error that says why there is no OpenGL 4.3 here.
+  /// Both throw std::runtime_error that says why there is no OpenGL 4.3 here. In a context and a thread of its own:
   explicit Card(const ContextOpener& open);
+  /// In the context that is current in this thread, which is to do all that is done with the card, and which draws from
+  /// what was computed.
+  explicit Card(GlFinder find);
   ~Card();
   Card(const Card&) = delete;
   Card& operator=(const Card&) = delete;
@@ -32,24 +35,30 @@ class Card {
   /// The largest block of memory that a program may see at once, bytes.
   [[nodiscard]] std::size_t largestBuffer() const { return largestBuffer_; }
 
+  /// Whether its context is the one that draws.
+  [[nodiscard]] bool draws() const { return !thread_.joinable(); }
+  /// So far, from its memory to the processor's.
+  [[nodiscard]] std::size_t bytesRead() const { return bytesRead_; }
+
   /// Runs the task in the card's thread, waits for it, and throws what it throws. One task at a time.
   void run(const std::function<void()>& task);
 
   // Within a task:
   [[nodiscard]] const Gl& gl() const { return gl_; }
-  /// The program made of this kernel with these lines of defines, from then on the same one.
-  Kernel& kernel(KernelFile file, const std::string& defines);
+  /// The program of this file in kernels/ with these lines of defines, from then on the same one.
+  Kernel& kernel(const std::string& file, const std::string& defines);
   /// Throws std::runtime_error where the driver has reported an error.
   void refuseErrors() const;
+  void countRead(std::size_t bytes) { bytesRead_ += bytes; }
 
  private:
   void work(const ContextOpener& open);
-  void begin(const ContextOpener& open);
+  void begin(GlFinder find);
 
   OpenedContext context_;
   Gl gl_{};
   std::string name_;
-  std::size_t largestBuffer_ = 0;
+  std::size_t largestBuffer_ = 0, bytesRead_ = 0;
   std::map<std::string, std::unique_ptr<Kernel>> kernels_;
 
   std::mutex oneCaller_;

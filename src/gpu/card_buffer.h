@@ -3,19 +3,19 @@
 
 #include <cstddef>
 
-#include "gpu/gl.h"
+#include "gpu/card.h"
 
 namespace tyg {
 
 /// Made, used and destroyed in the thread of its context.
 class CardBuffer {
  public:
-  explicit CardBuffer(const Gl& gl) : gl_(&gl) { gl.GenBuffers(1, &name_); }
+  explicit CardBuffer(Card& card) : card_(&card), gl_(&card.gl()) { gl_->GenBuffers(1, &name_); }
   ~CardBuffer() { gl_->DeleteBuffers(1, &name_); }
   CardBuffer(const CardBuffer&) = delete;
   CardBuffer& operator=(const CardBuffer&) = delete;
 
-  [[nodiscard]] std::size_t bytes() const { return bytes_; }
+  [[nodiscard]] GLuint name() const { return name_; }
   /// Makes it as large as this at least; what was in it is lost where it grows.
   void reserve(std::size_t bytes) {
     if (bytes <= bytes_) return;
@@ -28,7 +28,10 @@ class CardBuffer {
     bind();
     gl_->BufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), from);
   }
+  /// What the kernels have written.
   void read(void* to, std::size_t bytes) const {
+    gl_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    card_->countRead(bytes);
     bind();
     gl_->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), to);
   }
@@ -44,6 +47,7 @@ class CardBuffer {
  private:
   void bind() const { gl_->BindBuffer(GL_SHADER_STORAGE_BUFFER, name_); }
 
+  Card* card_;
   const Gl* gl_;
   GLuint name_ = 0;
   std::size_t bytes_ = 0;

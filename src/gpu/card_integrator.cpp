@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "gpu/card_positions.h"
 #include "tyg/input_error.h"
 #include "util/text.h"
 
@@ -56,7 +57,13 @@ class CardIntegrator final : public Integrator<float> {
     steps(forces, state, {t, 0, h}, 1);
   }
   void steps(Forces<float>& forces, State<float>& state, const StepTimes& times, int count) override;
-  void reset() override { stateIsOnCard_ = hasForce_ = false; }
+  void fetch(State<float>& state) override;
+  std::shared_ptr<const DevicePositions> positionsOnDevice(const State<float>& state) override;
+  /// Whoever has changed the state has fetched it first.
+  void reset() override {
+    hasForce_ = false;
+    if (stateIsHere_) stateIsOnCard_ = false;
+  }
   void useParameters(const Scene& scene, const Sheet& sheet) override {
     refuseOnCard(*card_, scene, sheet);
     sheet_ = sheet, terms_ = termsOf(scene, sheet);
@@ -81,6 +88,7 @@ class CardIntegrator final : public Integrator<float> {
   Layout layout_;
   std::unique_ptr<OwnedSheet> onCard_;  // null: nothing of this integrator is there yet
   bool sheetIsOnCard_ = false, stateIsOnCard_ = false;
+  bool stateIsHere_ = true;    // as well
   bool hasForce_ = false;      // the last step has kept one
   VectorField<float> kept_{};  // that force, where this is a copy that has not been used
 };
@@ -126,19 +134,32 @@ CardActing CardIntegrator::actingOn(const Forces<float>& forces, const std::vect
   return acting;
 }
 
-/// In the card's thread.
 void CardIntegrator::bringToCard(const State<float>& state) {
-  CardSheet& sheet = **onCard_;
-  if (!sheetIsOnCard_) sheet.useSheet(sheet_, terms_);
-  if (!stateIsOnCard_) {
+  if (!onCard_) onCard_ = std::make_unique<OwnedSheet>(card_, layout_);
+  if (sheetIsOnCard_ && stateIsOnCard_) return;
+  card_->run([&] {
+    CardSheet& sheet = **onCard_;
+    if (!sheetIsOnCard_) sheet.useSheet(sheet_, terms_);
+    if (stateIsOnCard_) return;
     sheet.write(Field::X, state.position), sheet.write(Field::V, state.velocity);
     if (hasForce_) sheet.write(Field::Force, kept_);
     kept_ = {};
-  }
+  });
   sheetIsOnCard_ = stateIsOnCard_ = true;
 }
 
-/// As Forces has it: minus every force on a moving pin times its velocity, which no evaluation changes.
+void CardIntegrator::fetch(State<float>& state) {
+  if (std::exchange(stateIsHere_, true)) return;
+  card_->run([&] { (**onCard_).read(Field::X, state.position), (**onCard_).read(Field::V, state.velocity); });
+}
+
+std::shared_ptr<const DevicePositions> CardIntegrator::positionsOnDevice(const State<float>& state) {
+  if (!card_->draws()) return nullptr;
+  bringToCard(state);
+  return std::make_shared<const CardPositions>(card_, **onCard_, layout_.columns * layout_.rows);
+}
+
+/// As Forces has it: minus every force on a moving pin times its velocity, which no step changes: it is here.
 void CardIntegrator::addPowerOfPins(const Forces<float>& forces, const State<float>& state,
                                     const std::vector<float>& felt, std::vector<Power>& powers) {
   auto f = felt.begin();
@@ -153,7 +174,7 @@ void CardIntegrator::addPowerOfPins(const Forces<float>& forces, const State<flo
 }
 
 void CardIntegrator::steps(Forces<float>& forces, State<float>& state, const StepTimes& times, int count) {
-  if (!onCard_) onCard_ = std::make_unique<OwnedSheet>(card_, layout_), sheetIsOnCard_ = stateIsOnCard_ = false;
+  bringToCard(state);
   const bool hadForce = hasForce_;
   const std::vector<double> evaluated = scheme_->times(times, count, hadForce);
   CardActing acting = actingOn(forces, evaluated);
@@ -167,13 +188,13 @@ void CardIntegrator::steps(Forces<float>& forces, State<float>& state, const Ste
   std::vector<float> felt;
   card_->run([&] {
     CardSheet& sheet = **onCard_;
-    bringToCard(state);
     sheet.act(acting);
     scheme_->run(sheet, times.h, forces.inverseMass(), count, hadForce);
-    sheet.read(Field::X, state.position), sheet.read(Field::V, state.velocity);
     felt = sheet.forcesOnPins();
+    card_->gl().Finish();  // whoever measures steps, to plan a frame or to give advice, measures the card's work
     card_->refuseErrors();
   });
+  stateIsHere_ = false;
   hasForce_ = scheme_->keepsForce;
   addPowerOfPins(forces, state, felt, powers);
   scheme_->account(forces, powers, times.h, hadForce);

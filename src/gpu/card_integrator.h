@@ -16,8 +16,7 @@ void refuseOnCard(const Card& card, const Scene& scene, const Sheet& sheet);
 /// The latter, of these terms.
 void refuseTermsWithoutKernel(const Scene& scene, std::span<const ForceTerm* const> terms);
 
-/// Copies the state to the card where something else has changed it, and back after the steps: up to 64 steps lie
-/// between two copies, and energies, events and pictures find the state where they look for it.
+/// Copies the state to the card where something else has changed it, and back where it is fetched.
 std::unique_ptr<Integrator<float>> makeCardIntegrator(std::shared_ptr<Card> card, const Scheme& scheme,
                                                       const Scene& scene, const Sheet& sheet);
 

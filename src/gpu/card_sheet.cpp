@@ -10,6 +10,7 @@ namespace tyg {
 namespace {
 
 constexpr unsigned kKinds = 2, kPushes = 9, kPinForces = 10, kGusts = 11, kSolids = 12;  // bindings
+constexpr unsigned kXyz = 3, kExtremes = 4;                                              // of kernels/gather.glsl
 constexpr int kGroupColumns = 32, kGroupRows = 4;  // particles of a work group, as kernels/fields.glsl has them
 constexpr std::uint32_t kPin = 128;                // of a kind
 constexpr unsigned kMovingShift = 8;
@@ -24,13 +25,7 @@ void writeFloats(CardBuffer& buffer, const std::vector<float>& numbers) {
 }  // namespace
 
 CardSheet::CardSheet(Card& card, const Layout& layout)
-    : card_(card),
-      layout_(layout),
-      kinds_(card.gl()),
-      pushes_(card.gl()),
-      pinForces_(card.gl()),
-      gusts_(card.gl()),
-      solids_(card.gl()) {
+    : card_(card), layout_(layout), kinds_(card), pushes_(card), pinForces_(card), gusts_(card), solids_(card) {
   // A kernel may look at a block of memory that it does not use: none of them may be missing.
   for (CardBuffer* buffer : {&pushes_, &pinForces_, &gusts_, &solids_}) buffer->reserve(sizeof(std::uint32_t));
 }
@@ -38,7 +33,7 @@ CardSheet::CardSheet(Card& card, const Layout& layout)
 CardBuffer& CardSheet::field(Field field) {
   std::unique_ptr<CardBuffer>& buffer = fields_.at(std::size_t(field));
   if (!buffer) {
-    buffer = std::make_unique<CardBuffer>(card_.gl());
+    buffer = std::make_unique<CardBuffer>(card_);
     const VectorField<float> zeros(layout_);  // the padding stays so
     buffer->write(zeros.x(), zeros.bytes());
     card_.refuseErrors();
@@ -49,7 +44,6 @@ CardBuffer& CardSheet::field(Field field) {
 void CardSheet::write(Field to, const VectorField<float>& from) { field(to).write(from.x(), from.bytes()); }
 
 void CardSheet::read(Field from, VectorField<float>& to) const {
-  card_.gl().MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   fields_.at(std::size_t(from))->read(to.x(), to.bytes());
 }
 
@@ -130,7 +124,7 @@ void CardSheet::setMoment(Kernel& kernel) const {
 }
 
 void CardSheet::pass(CardUpdate update, std::initializer_list<InPass> roles, float step, float kick) {
-  Kernel& kernel = card_.kernel(KernelFile::Step, definesOf(update));
+  Kernel& kernel = card_.kernel("step.glsl", definesOf(update));
   kernel.use();
   setScene(kernel);
   setMoment(kernel);
@@ -150,9 +144,16 @@ void CardSheet::showTo(std::initializer_list<InPass> roles) {
 }
 
 void CardSheet::beginLeapfrog(std::initializer_list<InPass> roles, float step, float kick) {
-  Kernel& kernel = card_.kernel(KernelFile::LeapfrogBegin, "#define CUT 0\n");
+  Kernel& kernel = card_.kernel("leapfrog_begin.glsl", "#define CUT 0\n");
   kernel.use();
   run(kernel, roles, step, kick);
+}
+
+void CardSheet::gather(const CardBuffer& xyz, const CardBuffer& extremes) {
+  Kernel& kernel = card_.kernel("gather.glsl", "#define CUT 0\n");
+  kernel.use();
+  xyz.show(kXyz), extremes.show(kExtremes), kinds_.show(kKinds);
+  run(kernel, {{PassRole::Position, Field::X}, {PassRole::Velocity, Field::V}}, 0, 0);
 }
 
 void CardSheet::run(Kernel& kernel, std::initializer_list<InPass> roles, float step, float kick) {
@@ -168,7 +169,6 @@ void CardSheet::run(Kernel& kernel, std::initializer_list<InPass> roles, float s
 
 std::vector<float> CardSheet::forcesOnPins() const {
   std::vector<float> forces(3 * movingPins_.size() * evaluation_);
-  card_.gl().MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   if (!forces.empty()) pinForces_.read(forces.data(), forces.size() * sizeof(float));
   return forces;
 }

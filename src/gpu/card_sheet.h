@@ -6,7 +6,6 @@
 #include <functional>
 #include <initializer_list>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -76,6 +75,8 @@ class CardSheet {
 
   void write(Field field, const VectorField<float>& from);
   void read(Field field, VectorField<float>& to) const;
+  /// The positions, Field::X, as x, y, z of each particle, and into six numbers the least and the largest of each.
+  void gather(const CardBuffer& xyz, const CardBuffer& extremes);
   void swap(Field a, Field b) { std::swap(fields_.at(std::size_t(a)), fields_.at(std::size_t(b))); }
 
   /// The next evaluation of act() and its update, with a step (s) and a kick (s/kg).

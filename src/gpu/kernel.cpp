@@ -30,21 +30,14 @@ std::string textOf(std::string_view file) {
   return std::string(found->text);
 }
 
-std::string textOf(KernelFile file, const std::string& defines) {
-  std::string text = "#version 430 core\n" + defines;
-  const auto add = [&](std::string_view name) { text += textOf(name); };
-  add("fields.glsl");
-  if (file == KernelFile::Step) {
-    add("exact.glsl"), add("springs.glsl");
-    if (defines.find("#define AIR 1") != std::string::npos) add("air.glsl");
-    if (defines.find("#define CONTACT 1") != std::string::npos) add("contact.glsl");
-    add("force.glsl");
+std::string programOf(std::string_view file, const std::string& defines) {
+  std::string text = "#version 430 core\n" + defines + textOf("fields.glsl");
+  if (file == "step.glsl") {
+    for (const char* part : {"exact.glsl", "springs.glsl", "air.glsl", "contact.glsl", "force.glsl"})
+      text += textOf(part);
   }
-  add(nameOf(file));
-  return text;
+  return text + textOf(file);
 }
-
-std::string nameOf(KernelFile file) { return file == KernelFile::Step ? "step.glsl" : "leapfrog_begin.glsl"; }
 
 Kernel::Kernel(const Gl& gl, const std::string& name, const std::string& text) : gl_(gl) {
   const GLuint shader = gl.CreateShader(GL_COMPUTE_SHADER);

@@ -11,13 +11,10 @@
 
 namespace tyg {
 
-enum class KernelFile { Step, LeapfrogBegin };
-/// The name of its text in kernels/.
-std::string nameOf(KernelFile file);
-/// The whole text of a program. `defines`: lines of GLSL that stand before everything else.
-std::string textOf(KernelFile file, const std::string& defines);
 /// The text of one file of kernels/.
 std::string textOf(std::string_view file);
+/// The whole text of the program whose main() is in this file. `defines`: lines of GLSL that stand before all else.
+std::string programOf(std::string_view file, const std::string& defines);
 
 /// Made, used and destroyed in the thread of its context.
 class Kernel {

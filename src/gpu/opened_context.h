@@ -6,10 +6,13 @@
 
 namespace tyg {
 
+/// Finds the functions of a context by their names.
+using GlFinder = void (*(*)(const char* name))();
+
 /// An OpenGL context that is current in the thread that opened it, until `owner` is released there.
 struct OpenedContext {
   std::shared_ptr<void> owner;
-  void (*(*find)(const char* name))() = nullptr;  ///< its functions, by name
+  GlFinder find = nullptr;
 };
 
 /// Opens one, in the thread that calls. Throws std::runtime_error that says why there is none.

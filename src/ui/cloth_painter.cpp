@@ -74,10 +74,11 @@ void ClothPainter::draw(const Viewer& viewer, Panels& panels, Extent window) {
   picture.options.bodies = bodies_;
   const glm::ivec2 pixels{window.width, window.height};
   const Camera& camera = viewer.view().camera();
-  const std::span<const float> positions = viewer.run().shown().positions();
-  renderer_->follow(withoutHeld(viewer.run().shown()));
-  renderer_->draw(positions, camera, pixels, picture.options, viewer.tools().drawing().arrow);
-  if (picture.ghost.size() != positions.size() || picture.ghostSheet == nullptr) return;
+  const ShownState& shown = viewer.run().shown();
+  renderer_->follow(withoutHeld(shown));
+  renderer_->draw(shown.drawn(), camera, pixels, picture.options, viewer.tools().drawing().arrow);
+  if (picture.ghostSheet == nullptr) return;
+  if (picture.ghost.size() != 3 * static_cast<std::size_t>(shown.sheet().count())) return;
   if (!ghost_) ghost_ = std::make_unique<SheetRenderer>(*picture.ghostSheet, programs_);
   ghost_->follow(*picture.ghostSheet);
   const bool dark = picture.options.background == Background::Dark;

@@ -149,10 +149,9 @@ void Hud::drawTools(const Viewer& viewer, float from) {
   tools_.draw(writerFor(viewer), {from + 1.5F * size_, screenSize().x - size_}, viewer);
   const ToolDrawing drawing = viewer.tools().drawing();
   if (drawing.cut) drawCutLine(writerFor(viewer), *drawing.cut);
-  const std::span<const float> xyz = viewer.run().shown().positions();
   const Extent pixels = viewer.view().pixels();
   for (const int particle : viewer.run().shown().held()) {
-    const float* p = &xyz[3 * static_cast<std::size_t>(particle)];
+    const float* p = &viewer.run().shown().positions()[3 * static_cast<std::size_t>(particle)];
     drawHold(writerFor(viewer),
              placeInWindow(viewer.view().camera(), {p[0], p[1], p[2]}, {pixels.width, pixels.height}));
   }

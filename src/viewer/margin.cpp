@@ -14,6 +14,7 @@ namespace tyg {
 namespace {
 
 constexpr double kMostShare = 0.05;  // of the time, for the live limit
+constexpr double kOnDevice = 0.5;    // s at least from one to the next, where a device has to give the state for it
 constexpr double kStretched = 0.99;  // of the limit at rest: below that the cloth's stretch is told
 
 /// A scene whose limit at rest is that of a sheet which has lost springs, wherever that was.
@@ -78,7 +79,7 @@ void MarginWatch::measureLive(Simulation& simulation, const Clock& clock) {
   const double began = clock();
   if (measuredAt_ >= 0 && began < nextMeasured_) return;
   live_ = simulation.liveStableStep();
-  nextMeasured_ = began + (clock() - began) / kMostShare;
+  nextMeasured_ = began + std::max((clock() - began) / kMostShare, simulation.onDevice() ? kOnDevice : 0);
   measuredAt_ = simulation.ticks();
 }
 

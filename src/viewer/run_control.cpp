@@ -235,7 +235,7 @@ int RunControl::run(std::int64_t ticks, double seconds) {
 
 /// Takes the simulation's state over for drawing, unless the alarm says that it is not worth showing.
 void RunControl::show() {
-  if (!shown_.take(simulation_, failure_.runsOn())) {
+  if (!(failure_.runsOn() ? shown_.take(simulation_, true) : shown_.follow(simulation_))) {
     if (failure_.runsOn()) return freezeOnAlarm();
     if (failsAhead()) return goBackToAlarm(), freezeOnAlarm();
     if (!shown_.take(simulation_, true)) return freezeOnAlarm();
@@ -250,10 +250,16 @@ void RunControl::show() {
   if (!failure_.runsOn() && simulation_.status() == Status::Ok && !history_.past()) failure_.passed(shown_.tick());
   noteFastContact();
   if (state_ == RunState::Running && !playback_.replaying() && !listener_.actsAt(shown_.tick())) {
-    sleep_.follow(simulation_, shown_.kinetic());
+    if (isCheckedAnew()) sleep_.follow(simulation_, shown_.kinetic());
   } else {
     sleep_.wake();
   }
+}
+
+/// On a device energies are known from checks alone, and speeds would have to be read from there in every frame.
+bool RunControl::isCheckedAnew() {
+  const std::int64_t checks = simulation_.steps() / kStepsBetweenChecks;
+  return std::exchange(checks_, checks) != checks || !shown_.onDevice();
 }
 
 /// Whether the next energy check finds the run unstable, as a look between two of them does. The simulation stays here.

@@ -114,6 +114,7 @@ class RunControl {
   int run(std::int64_t ticks, double seconds);
   void show();
   void noteFastContact();
+  [[nodiscard]] bool isCheckedAnew();
   bool failsAhead();
   void goBackToAlarm();
   [[nodiscard]] std::int64_t ticksToBreak();
@@ -129,6 +130,7 @@ class RunControl {
   History history_;
   TickRunner ticks_;
   SleepWatch sleep_;
+  std::int64_t checks_ = 0;  ///< energy checks of the run, as of the last frame
   ShownState shown_;
   Failure failure_;
   BreakRecord breaking_;

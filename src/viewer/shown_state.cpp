@@ -2,13 +2,25 @@
 #include "viewer/shown_state.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
+
+#include "core/simulation/device_positions.h"
 
 namespace tyg {
 namespace {
 
 /// Sheet sizes: of a cloth that is let break and is larger than this there is nothing to see.
 constexpr double kMostSizes = 1000;
+
+/// Not so large that boxAround() would leave it out.
+bool isUsual(const std::array<float, 3>& corner) {
+  constexpr float kFarthest = 1e15F;  // m
+  return std::ranges::all_of(corner, [](float x) { return std::abs(x) < kFarthest; });
+}
+
+glm::vec3 vec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace
 
@@ -23,12 +35,39 @@ bool ShownState::take(const Simulation& simulation, bool pastAlarm) {
   if (!std::ranges::all_of(next_, [](float x) { return std::isfinite(x); })) return false;
   if (pastAlarm && double(boxAround(next_).size()) > kMostSizes * simulation.sheet().size()) return false;
   positions_.swap(next_);
-  kinetic_ = glance.ledger.kinetic;
+  onDevice_.reset();
+  note(simulation, glance.ledger.kinetic, boxAround(positions_));
+  return true;
+}
+
+bool ShownState::follow(const Simulation& simulation) {
+  auto onDevice = simulation.status() == Status::Ok ? simulation.positionsOnDevice() : nullptr;
+  if (!onDevice || !isUsual(onDevice->low()) || !isUsual(onDevice->high())) return take(simulation, false);
+  onDevice_ = std::move(onDevice);
+  isRead_ = false;
+  note(simulation, simulation.checkedKinetic(), {vec(onDevice_->low()), vec(onDevice_->high())});
+  return true;
+}
+
+void ShownState::note(const Simulation& simulation, double kinetic, const Box& box) {
+  kinetic_ = kinetic;
   time_ = simulation.time();
   tick_ = simulation.ticks();
-  box_ = boxAround(positions_);
+  box_ = box;
   followSheet(simulation);
-  return true;
+}
+
+std::span<const float> ShownState::positions() const {
+  if (onDevice_ && !std::exchange(isRead_, true)) {
+    positions_.resize(static_cast<std::size_t>(3 * sheet_.count()));
+    onDevice_->read(positions_);
+  }
+  return positions_;
+}
+
+DrawnPositions ShownState::drawn() const {
+  if (!onDevice_) return DrawnPositions(positions_);
+  return {onDevice_->buffer(), [this] { return positions(); }};
 }
 
 }  // namespace tyg

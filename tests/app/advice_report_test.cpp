@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/simulation/device.h"
+#include "tyg/input_error.h"
 #include "tyg/methods.h"
 
 namespace tyg {
@@ -33,6 +35,32 @@ TEST(AdviceReport, SaysThatAPromiseHoldsOnlyWhereTheClockDoesNotGainsayIt) {
   EXPECT_TRUE(says(scene, advice, "by the clock it did not"));
   advice.held = false;
   EXPECT_TRUE(says(scene, advice, "The promise does NOT hold."));
+}
+
+/// A device that nobody asks for an integrator.
+class NamedDevice final : public Device {
+ public:
+  [[nodiscard]] std::unique_ptr<Integrator<float>> make(const Method& method, const Scene& /*scene*/,
+                                                        const Sheet& /*sheet*/) override {
+    throw InputError("found " + std::string(method.name));
+  }
+};
+
+TEST(AdviceReport, SaysWhichDeviceIsFaster) {
+  const Scene scene = loadScene("curtain", methodNames());
+  Advice advice = promised(scene);
+  const auto saysOfCard = [&](const std::string& words) {
+    return adviceText(scene, advice, {.device = "gpu", .name = "Card X"}).find(words) != std::string::npos;
+  };
+  EXPECT_FALSE(says(scene, advice, "\ndevice ")) << "without a card there is nothing to say";
+  EXPECT_TRUE(saysOfCard("\ndevice        processor: the graphics card Card X does not take this setting\n"));
+  advice.promise->elsewhere = 30 * advice.promise->seconds;
+  EXPECT_TRUE(saysOfCard("\ndevice        processor: the graphics card Card X takes 30 times as long\n"));
+  EXPECT_FALSE(saysOfCard("--device"));
+  advice.promise->device = std::make_shared<NamedDevice>();
+  EXPECT_TRUE(saysOfCard("\ndevice        graphics card Card X: the processor takes 30 times as long\n"));
+  EXPECT_TRUE(saysOfCard(", the graphics card\n"));
+  EXPECT_TRUE(saysOfCard(" --device gpu\n"));
 }
 
 }  // namespace

@@ -88,6 +88,29 @@ TEST_F(RunOnCard, OfAChartTakesTheTimedRunsInFloatOfTheMethodsThatTheCardKnows) 
   EXPECT_GT(beside, 1);
 }
 
+constexpr const char* kAdvise = "advise drop --duration 0.1 --methods leapfrog,rk4 --error 1% ";
+
+TEST_F(RunOnCard, OfAdviceIsOneMoreChoice) {
+  const Outcome outcome = tyg(std::string(kAdvise) + "--json --precision float --device gpu");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(jsonValue(outcome.out, "device_name"), "\"\"");
+  EXPECT_NE(jsonValue(outcome.out, "other_device_frame_s"), "null");
+  const Outcome inDouble = tyg(std::string(kAdvise) + "--precision double --device gpu");
+  EXPECT_EQ(inDouble.code, 2);
+  EXPECT_NE(inDouble.err.find("precision: found double, allowed on the graphics card is float"), std::string::npos);
+}
+
+TEST(AdviceWithoutCard, SaysNothingOfCardsUnlessItIsAsked) {
+  const Outcome unasked = tyg(kAdvise, kNoCard);
+  EXPECT_EQ(unasked.code, 0) << unasked.err;
+  EXPECT_EQ(unasked.err, "");
+  EXPECT_EQ(unasked.out.find("card"), std::string::npos) << unasked.out;
+  const Outcome asked = tyg(std::string(kAdvise) + "--device gpu", kNoCard);
+  EXPECT_EQ(asked.code, 0);
+  EXPECT_NE(asked.err.find("tyg advise: no graphics card serves here: "), std::string::npos) << asked.err;
+  EXPECT_EQ(asked.out.find("card"), std::string::npos) << asked.out;
+}
+
 TEST(RunWithoutCard, SaysWhyAndTakesTheProcessor) {
   const Outcome outcome = tyg("run drop --duration 0.05 --device gpu --json", kNoCard);
   EXPECT_EQ(outcome.code, 0);

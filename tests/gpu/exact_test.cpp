@@ -62,13 +62,12 @@ OnCardResults computed(Card& card, const std::vector<float>& a, const std::vecto
   OnCardResults results;
   card.run([&] {
     Kernel kernel(card.gl(), "exactness", textWithGuessesOffBy(units));
-    CardBuffer inA(card.gl()), inB(card.gl()), outRoots(card.gl()), outQuotients(card.gl());
+    CardBuffer inA(card), inB(card), outRoots(card), outQuotients(card);
     const std::size_t bytes = kNumbers * sizeof(float);
     inA.write(a.data(), bytes), inB.write(b.data(), bytes), outRoots.reserve(bytes), outQuotients.reserve(bytes);
     inA.show(0), inB.show(1), outRoots.show(2), outQuotients.show(3);
     kernel.use();
     card.gl().DispatchCompute(kNumbers / 64, 1, 1);
-    card.gl().MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     outRoots.read(results.roots.data(), bytes), outQuotients.read(results.quotients.data(), bytes);
     card.refuseErrors();
   });

@@ -62,6 +62,13 @@ class SameBits : public OnCard {
   }
 };
 
+// As many columns and rows as a scene may have, and as many work groups as a card is asked for.
+TEST_F(SameBits, ComeOutForTheLongestRowsAndColumns) {
+  for (const auto& [columns, rows] : {std::pair{4096, 3}, {3, 4096}}) {
+    for (const std::string_view method : gpuMethods()) expectSame(busyScene(columns, rows), findMethod(method), 0.004);
+  }
+}
+
 TEST_F(SameBits, ComeOutForSheetsOfEveryShape) {
   for (const auto& [columns, rows] : {std::pair{37, 23}, {1, 20}, {33, 1}, {2, 2}, {3, 5}}) {
     for (const std::string_view method : gpuMethods()) expectSame(busyScene(columns, rows), findMethod(method));

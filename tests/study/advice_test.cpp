@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
 
+#include "core/simulation/device.h"
 #include "study/limits/stability.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
@@ -147,6 +150,56 @@ TEST(Advice, ThreadsAreTakenOnlyWhereTheyPay) {
   EXPECT_EQ(quickAdvice(small(), plan).threads, 2);
   plan.cost = [](const Scene& scene, int threads) { return plainCost(scene, 1) * (threads == 1 ? 1 : 0.95); };
   EXPECT_EQ(quickAdvice(small(), plan).threads, 1) << "a gain of a twentieth is none";
+}
+
+/// A device that is the processor.
+class ProcessorAsDevice final : public Device {
+ public:
+  [[nodiscard]] std::unique_ptr<Integrator<float>> make(const Method& method, const Scene& scene,
+                                                        const Sheet& sheet) override {
+    ++made_;
+    return method.make<float>(scene, sheet);
+  }
+  [[nodiscard]] int made() const { return made_; }
+
+ private:
+  int made_ = 0;
+};
+
+/// A device that knows leapfrog alone and takes so many times as long as the processor.
+DeviceOffer offerOf(const std::shared_ptr<Device>& device, double times) {
+  return {device, [times](const Scene& scene, int) {
+            const bool takes = scene.integrator == "leapfrog" && scene.precision == Precision::Float;
+            return takes ? times * plainCost(scene, 1) : std::numeric_limits<double>::infinity();
+          }};
+}
+
+TEST(Advice, ADeviceIsTakenWhereItIsCheaper) {
+  constexpr double kTimes = 1.0 / 20;
+  const auto device = std::make_shared<ProcessorAsDevice>();
+  AdvicePlan plan = explicitPlanFor({.error = 1e-3});
+  plan.device = offerOf(device, kTimes);
+  const Advice advice = adviseOn(small(), plan);
+  ASSERT_TRUE(advice.met && advice.held);
+  EXPECT_EQ(advice.promise->device, device);
+  EXPECT_EQ(advice.promise->scene.integrator, "leapfrog");
+  EXPECT_EQ(advice.promise->scene.precision, Precision::Float);
+  EXPECT_NEAR(advice.promise->elsewhere * kTimes, advice.promise->seconds, 1e-9 * advice.promise->seconds);
+  EXPECT_GT(device->made(), 0);
+}
+
+TEST(Advice, ADeviceIsLeftAloneWhereItIsDearer) {
+  constexpr double kTimes = 20;
+  const auto device = std::make_shared<ProcessorAsDevice>();
+  AdvicePlan plan = explicitPlanFor({.error = 1e-3});
+  std::erase_if(plan.methods, [](const Method* method) { return method->name != "leapfrog"; });
+  plan.precisions = {Precision::Float};
+  plan.device = offerOf(device, kTimes);
+  const Advice advice = quickAdvice(small(), plan);
+  ASSERT_TRUE(advice.met);
+  EXPECT_EQ(advice.promise->device, nullptr);
+  EXPECT_EQ(device->made(), 0);
+  EXPECT_NEAR(advice.promise->elsewhere, kTimes * advice.promise->seconds, 1e-9 * advice.promise->elsewhere);
 }
 
 TEST(Advice, AnObserverThatSaysStopEndsIt) {

@@ -1,10 +1,13 @@
 // `tyg advise`: the cheapest method, step, precision and threads for an error or a time budget, with proof.
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <thread>
 
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
+#include "app/commands/device_options.h"
+#include "app/commands/option_checks.h"
 #include "app/output/exit_code.h"
 #include "app/output/progress.h"
 #include "app/reports/advice_report.h"
@@ -22,6 +25,7 @@ namespace {
 
 struct AdviseOptions {
   SceneOptions scene;
+  DeviceOptions device{.device = ""};
   std::string error, budget, write;
   bool json = false;
 };
@@ -30,8 +34,9 @@ constexpr const char* kExamples =
     R"(A short study runs the settings of method, step and precision that are likely to be cheapest. The
 cheapest of them is then run once more: it is timed, and compared with a reference that a second
 method confirms. The error is the largest RMS distance of all particles from the exact motion. The
-cost is the computing time for a sixtieth of a second. --integrator, --precision and --threads
-narrow the choice; --dt and --tolerance are not used.
+cost is the computing time for a sixtieth of a second. --integrator, --precision, --threads and
+--device narrow the choice; --dt and --tolerance are not used. Where there is a graphics card that
+gives the processor's bits, it is measured too.
 
 The study ends where a smaller error could not be told from the error of the reference. It leaves
 out runs that take longer than what they simulate (or than 1.5 s, or than four times the cheapest
@@ -69,8 +74,17 @@ std::vector<int> threadChoices(const AdviseOptions& options, const Scene& scene)
   return choices;
 }
 
+/// None where only double is allowed, which is refused where the card was asked for.
+ChosenDevice cardFor(const AdviseOptions& options, const Scene& scene) {
+  const bool onlyDouble = options.scene.precision && scene.precision == Precision::Double;
+  if (!onlyDouble) return deviceForStudy(options.device, scene, "tyg advise");
+  if (!options.device.asksForCard()) return {};
+  throw InputError("precision: found double, allowed on the graphics card is float");
+}
+
 /// The scene is made to end where its tears become uncertain, which `tears` then says.
-Advice advised(const AdviseOptions& options, Scene& scene, const Request& request, std::string& tears) {
+Advice advised(const AdviseOptions& options, Scene& scene, const Request& request, const ChosenDevice& card,
+               std::string& tears) {
   Progress progress("tyg advise " + scene.name);
   constexpr double kTears = 0.1;  // of the work
   const int usual = options.scene.threads.value_or(defaultThreads(scene.columns * scene.rows));
@@ -84,6 +98,14 @@ Advice advised(const AdviseOptions& options, Scene& scene, const Request& reques
   if (options.scene.precision) plan.precisions = {scene.precision};
   plan.threads = threadChoices(options, scene);
   plan.cost = [&](const Scene& priced, int threads) { return meter.secondsPerUnit(priced, threads); };
+  plan.device.device = card.device;
+  plan.device.cost = [&](const Scene& priced, int threads) {
+    try {
+      return meter.secondsPerUnit(priced, threads, card.device);
+    } catch (const InputError&) {  // a method or a precision that the card does not know
+      return std::numeric_limits<double>::infinity();
+    }
+  };
   plan.clock = calibrationClock;
   plan.observer = progress.part(tears.empty() ? 0 : kTears, 1);
   return adviseOn(scene, plan);
@@ -94,14 +116,15 @@ int advise(const AdviseOptions& options) {
   const Request request = requested(options, scene);
   if (!options.write.empty()) checkWritable(options.write);
   const InterruptWatch watch;
+  const ChosenDevice card = cardFor(options, scene);
   std::string tears;
-  const Advice advice = advised(options, scene, request, tears);
+  const Advice advice = advised(options, scene, request, card, tears);
   if (interrupted()) return sayInterrupted("tyg advise");
   if (!tears.empty()) std::cerr << "tyg advise: " << tears << std::endl;
   if (!options.write.empty() && advice.promise) {
     writeWholeFile(options.write, sceneToToml(advice.promise->scene, adviceComment(scene, advice)));
   }
-  std::cout << (options.json ? adviceJson(scene, advice) + "\n" : adviceText(scene, advice));
+  std::cout << (options.json ? adviceJson(scene, advice, card.report) + "\n" : adviceText(scene, advice, card.report));
   if (!options.json && !options.write.empty() && advice.promise) std::cout << options.write << "\n";
   std::cout << std::flush;
   return advice.met && advice.held ? kDone : kSimulationFailed;
@@ -117,6 +140,14 @@ void addAdviseCommand(CLI::App& app, Action& action) {
   command.option("--error", options->error, "The largest error allowed: a length, or % of the sheet's size")
       .typeName("1mm|1%");
   command.option("--budget", options->budget, "The computing time allowed for each frame of 1/60 s").typeName("4ms");
+  command
+      .option("--device", options->device.device,
+              "What may move the cloth: the processor alone (cpu), or the graphics card too (gpu) [gpu where there is "
+              "a card]")
+      .check([](const std::string& text) {
+        return checkOneOf(text, {"cpu", "gpu"});
+      })
+      .typeName("cpu|gpu");
   command.option("--write", options->write, "Write the scene with the advised settings to this file")
       .typeName("FILE.toml");
   command.flag("--json", options->json, "One JSON object on standard output instead of the lines");

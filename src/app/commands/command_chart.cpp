@@ -163,16 +163,6 @@ class Charting {
   Progress progress_;
 };
 
-/// The card, compared with the processor on a method that it knows: a chart is of several.
-ChosenDevice deviceForTimings(const DeviceOptions& options, Scene scene) {
-  scene.precision = Precision::Float;
-  scene.integrator = "leapfrog";
-  ChosenDevice chosen = chosenDevice(options, scene, 1, "tyg chart");
-  if (chosen.report.sameBits) return chosen;
-  std::cerr << "tyg chart: errors would not be the card's, so the processor takes all runs" << std::endl;
-  return {};
-}
-
 int sayNoReference(const Reference& reference) {
   std::cerr << "tyg chart: no reference for this scene: " << reference.whyUnusable()
             << "; nothing was written. Try a shorter --duration" << std::endl;
@@ -208,7 +198,7 @@ int chart(const ChartOptions& options) {
                                        "sheets.csv", "compare.csv", "past_horizon.csv"};
   fs::path folder = preparedFolder(options.out, files);
 
-  const ChosenDevice device = deviceForTimings(options.device, scene);
+  const ChosenDevice device = deviceForStudy(options.device, scene, "tyg chart");
   const InterruptWatch watch;
   auto charting = std::make_unique<Charting>(options, scene, device.device);
   const Reference reference = charting->reference();

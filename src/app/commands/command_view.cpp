@@ -91,9 +91,10 @@ int sayNoWindow(const std::runtime_error& why) {
 int show(const ViewOptions& options, const Scene& scene, const std::string& said, OpeningWindow& opening,
          WindowMemory& memory) {
   const int threads = options.scene.threads.value_or(0);
-  const ChosenDevice chosen = chosenDevice(options.device, scene, threads, "tyg view");
+  const GlFinder drawing = opening.window().finder();
+  const ChosenDevice chosen = chosenDevice(options.device, scene, threads, "tyg view", drawing);
   Viewer viewer(scene, Settings{.threads = threads, .device = chosen.device}, wallClock);
-  viewer.scenes().offerCard([threads](const Scene& moved) { return offeredCard(moved, threads); });
+  viewer.scenes().offerCard([=](const Scene& moved) { return offeredCard(moved, threads, drawing); });
   if (chosen.device) viewer.notes().say(sentenceOn(chosen.report));
   if (options.light) viewer.perform(InputAction::ChangeBackground);
   if (const auto show = chosenShow(options.look, scene)) viewer.show(*show);

@@ -30,11 +30,31 @@ void addDeviceOption(Command& command, DeviceOptions& options) {
 
 namespace {
 
-std::shared_ptr<GpuDevice> openCard() {
-  return std::make_shared<GpuDevice>([] {
-    std::shared_ptr<ComputeContext> context = makeComputeContext();
-    return OpenedContext{context, context->find()};
-  });
+OpenedContext openContext() {
+  std::shared_ptr<ComputeContext> context = makeComputeContext();
+  return {context, context->find()};
+}
+
+/// Null where the context that draws offers too little.
+std::shared_ptr<GpuDevice> cardThatDraws(GlFinder drawing) {
+  try {
+    return drawing == nullptr ? nullptr : std::make_shared<GpuDevice>(drawing);
+  } catch (const std::runtime_error&) {
+    return nullptr;
+  }
+}
+
+/// A window may be drawn by the processor on a machine that has a card: then the card computes beside it.
+std::shared_ptr<GpuDevice> openCard(GlFinder drawing) {
+  auto here = cardThatDraws(drawing);
+  if (here && !here->isProcessor()) return here;
+  try {
+    auto other = std::make_shared<GpuDevice>(openContext);
+    if (!here || !other->isProcessor()) return other;
+  } catch (const std::runtime_error&) {
+    if (!here) throw;
+  }
+  return here;
 }
 
 ChosenDevice compared(const std::shared_ptr<GpuDevice>& card, const Scene& scene, int threads) {
@@ -44,15 +64,16 @@ ChosenDevice compared(const std::shared_ptr<GpuDevice>& card, const Scene& scene
 
 }  // namespace
 
-OfferedCard offeredCard(const Scene& scene, int threads) {
-  const ChosenDevice chosen = compared(openCard(), scene, threads);
+OfferedCard offeredCard(const Scene& scene, int threads, GlFinder drawing) {
+  const ChosenDevice chosen = compared(openCard(drawing), scene, threads);
   return {chosen.device, sentenceOn(chosen.report)};
 }
 
-ChosenDevice chosenDevice(const DeviceOptions& options, const Scene& scene, int threads, const std::string& command) {
+ChosenDevice chosenDevice(const DeviceOptions& options, const Scene& scene, int threads, const std::string& command,
+                          GlFinder drawing) {
   if (!options.asksForCard()) return {};
   try {
-    ChosenDevice chosen = compared(openCard(), scene, threads);
+    ChosenDevice chosen = compared(openCard(drawing), scene, threads);
     if (!chosen.report.sameBits) std::cerr << command << ": " << sentenceOn(chosen.report) << std::endl;
     return chosen;
   } catch (const InputError&) {
@@ -62,6 +83,27 @@ ChosenDevice chosenDevice(const DeviceOptions& options, const Scene& scene, int 
               << std::endl;
     return {};
   }
+}
+
+/// A study is of several methods; the comparison, of one that a card knows.
+ChosenDevice deviceForStudy(const DeviceOptions& options, const Scene& scene, const std::string& command) {
+  Scene compare = scene;
+  compare.precision = Precision::Float;
+  compare.integrator = "leapfrog";
+  if (options.device.empty()) {
+    try {
+      const auto card = openCard(nullptr);
+      if (card->isProcessor()) return {};
+      ChosenDevice chosen = compared(card, compare, 1);
+      return chosen.report.sameBits ? chosen : ChosenDevice{};
+    } catch (const std::runtime_error&) {
+      return {};
+    }
+  }
+  ChosenDevice chosen = chosenDevice(options, compare, 1, command);
+  if (chosen.report.sameBits) return chosen;
+  std::cerr << command << ": errors would not be the card's, so the processor takes all runs" << std::endl;
+  return {};
 }
 
 void takeFloatOnCard(Scene& scene, const DeviceOptions& options, bool precisionGiven) {

@@ -11,6 +11,7 @@
 #include "tyg/sheet.h"
 #include "util/amounts.h"
 #include "util/visible_text.h"
+#include "util/wrapped.h"
 
 namespace tyg {
 namespace {
@@ -29,11 +30,28 @@ std::string settingText(const Scene& scene) {
                      nameOf(scene.precision));
 }
 
-std::string optionsText(const Scene& scene, int threads) {
+std::string optionsText(const Trial& choice, int threads) {
+  const Scene& scene = choice.scene;
   const bool adaptive = findMethod(scene.integrator).adaptive;
-  return fmt::format("--integrator {} {} {:.4g} --precision {} --threads {}", scene.integrator,
+  return fmt::format("--integrator {} {} {:.4g} --precision {} --threads {}{}", scene.integrator,
                      adaptive ? "--tolerance" : "--dt", adaptive ? scene.tolerance : scene.dt, nameOf(scene.precision),
-                     threads);
+                     threads, choice.device ? " --device gpu" : "");
+}
+
+std::string placeText(const Trial& choice, int threads) {
+  return choice.device ? "the graphics card" : fmt::format("{} thread{}", threads, threads == 1 ? "" : "s");
+}
+
+/// Which of the two is faster, where there are two.
+std::string deviceText(const Trial& choice, const DeviceReport& card) {
+  if (card.device == "cpu") return "";
+  const std::string name = "graphics card " + oneLine(card.name);
+  const std::string times = fmt::format("{:.2g} times as long", choice.elsewhere / choice.seconds);
+  const std::string said = choice.device                     ? name + ": the processor takes " + times
+                           : std::isfinite(choice.elsewhere) ? "processor: the " + name + " takes " + times
+                                                             : "processor: the " + name + " does not take this setting";
+  constexpr int kColumns = 66;
+  return "device        " + paragraph(said, std::string(14, ' '), kColumns);
 }
 
 std::string perFrame(double seconds, double duration) { return timeText(frameSeconds(seconds, duration)); }
@@ -110,7 +128,7 @@ std::string tenTimesText(const Scene& scene, const Advice& advice) {
 
 }  // namespace
 
-std::string adviceText(const Scene& scene, const Advice& advice) {
+std::string adviceText(const Scene& scene, const Advice& advice, const DeviceReport& card) {
   std::string text = fmt::format("{}: {} x {} particles, {:.4g} s\nasked for     {}\n\n", oneLine(scene.title),
                                  scene.columns, scene.rows, scene.duration, requestText(advice.request));
   if (!advice.promise) {
@@ -118,16 +136,16 @@ std::string adviceText(const Scene& scene, const Advice& advice) {
                                    : "None of the allowed methods takes this scene and may be advised.\n");
   }
   if (!advice.met) text += "This request cannot be met. The nearest choice that was found:\n";
-  text += fmt::format("use           {}, {} thread{}\n", settingText(advice.promise->scene), advice.threads,
-                      advice.threads == 1 ? "" : "s");
+  text += fmt::format("use           {}, {}\n", settingText(advice.promise->scene),
+                      placeText(*advice.promise, advice.threads));
   text += proofText(scene, advice);
-  text += "\nstability     " + marginText(advice) + "\n";
+  text += "\n" + deviceText(*advice.promise, card) + "stability     " + marginText(advice) + "\n";
   text += "ten times\nbetter        " + tenTimesText(scene, advice) + "\n";
-  text += "\n" + optionsText(advice.promise->scene, advice.threads) + "\n";
+  text += "\n" + optionsText(*advice.promise, advice.threads) + "\n";
   return text;
 }
 
-std::string adviceJson(const Scene& scene, const Advice& advice) {
+std::string adviceJson(const Scene& scene, const Advice& advice, const DeviceReport& card) {
   Json json{
       {"scene", scene.name},
       {"size_m", makeSheet(scene).size()},
@@ -139,6 +157,8 @@ std::string adviceJson(const Scene& scene, const Advice& advice) {
       {"second_try", advice.secondTry},
       {"runs", advice.runs},
       {"threads", advice.threads},
+      {"device", advice.promise && advice.promise->device ? "gpu" : "cpu"},
+      {"device_name", card.name},
   };
   if (!advice.promise) return jsonText(json);
   const Trial& promise = *advice.promise;
@@ -155,6 +175,7 @@ std::string adviceJson(const Scene& scene, const Advice& advice) {
       {"floor_m", advice.floor},
       {"promised_frame_s", frameSeconds(promise.seconds, scene.duration)},
       {"measured_frame_s", frameSeconds(advice.measured, scene.duration)},
+      {"other_device_frame_s", frameSeconds(promise.elsewhere, scene.duration)},
       {"stable_dt", advice.limit},
       {"knowable_error_m", advice.knowable},
       {"ten_times_better_searched_up_to_frame_s", frameSeconds(advice.tenTimesUpTo, scene.duration)},
@@ -165,8 +186,9 @@ std::string adviceJson(const Scene& scene, const Advice& advice) {
 }
 
 std::string adviceComment(const Scene& scene, const Advice& advice) {
-  return fmt::format("Made by `tyg advise {}` for {}:\n{} achieved {}, {} a frame.", scene.name,
-                     requestText(advice.request), settingText(advice.promise->scene), lengthText(advice.achieved),
+  return fmt::format("Made by `tyg advise {}` for {}:\n{}{} achieved {}, {} a frame.", scene.name,
+                     requestText(advice.request), settingText(advice.promise->scene),
+                     advice.promise->device ? ", the graphics card" : "", lengthText(advice.achieved),
                      perFrame(advice.measured, scene.duration));
 }
 

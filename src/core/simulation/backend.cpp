@@ -50,7 +50,10 @@ class BackendOf final : public Backend {
     forces_.trackDissipation(settings.ledger);
   }
 
-  void useMethod(const Method& method) override { integrator_ = makeIntegrator<T>(device_, method, scene_, sheet_); }
+  void useMethod(const Method& method) override {
+    integrator_->fetch(state_);
+    integrator_ = makeIntegrator<T>(device_, method, scene_, sheet_);
+  }
   void useSheet(const Method& method) override {
     forces_.useSheet(sheet_);
     useMethod(method);
@@ -71,8 +74,9 @@ class BackendOf final : public Backend {
     forces_.act(acting_);
   }
   void placePin(int particle, const Vec3& position, const Vec3& velocity) override {
-    state_.position.set(particle, position);
-    state_.velocity.set(particle, velocity);
+    State<T>& edited = state();
+    edited.position.set(particle, position);
+    edited.velocity.set(particle, velocity);
   }
   void movePins(std::vector<int> particles) override { forces_.movePins(std::move(particles)); }
   void clearPushes() override { forces_.clearPushes(); }
@@ -80,22 +84,23 @@ class BackendOf final : public Backend {
   void reset() override { integrator_->reset(); }
   void trackDissipation(bool on, double time) override {
     forces_.trackDissipation(on);
-    forces_.measurePower(time, state_.position, state_.velocity);  // methods that keep a force begin with its power
+    const State<T>& now = state();
+    forces_.measurePower(time, now.position, now.velocity);  // methods that keep a force begin with its power
   }
 
   double liveStableStep(const Method& method, double time) override {
     if (!spectrum_) spectrum_.emplace(scene_, sheet_, workers_);
     spectrum_->act(acting_);
-    return spectrum_->stableStep(method, state_, time);
+    return spectrum_->stableStep(method, state(), time);
   }
-  [[nodiscard]] StoredEnergy energy(double time) const override { return forces_.energy(time, state_); }
+  [[nodiscard]] StoredEnergy energy(double time) const override { return forces_.energy(time, state()); }
   [[nodiscard]] StoredEnergy startEnergy() const override {
     return forces_.energy(0, displacedStart<T>(scene_, sheet_));
   }
   [[nodiscard]] std::vector<SpringEnds> longerThan(double length) const override {
     std::vector<SpringEnds> longer;
     const Layout& layout = forces_.layout();
-    const T* x = state_.position.x();
+    const T* x = state().position.x();
     const auto squared = [&](std::ptrdiff_t a, std::ptrdiff_t b) {
       T sum = 0;
       for (std::ptrdiff_t axis = 0; axis < 3 * layout.plane; axis += layout.plane) {
@@ -116,9 +121,10 @@ class BackendOf final : public Backend {
     return longer;
   }
   [[nodiscard]] double largestSpeed() const override {
-    const T *x = state_.velocity.x(), *y = state_.velocity.y(), *z = state_.velocity.z();
+    const VectorField<T>& velocity = state().velocity;
+    const T *x = velocity.x(), *y = velocity.y(), *z = velocity.z();
     std::array<T, Layout::kLanes> most{};  // of every sixteenth particle: no comparison waits for the one before
-    for (std::ptrdiff_t i = 0; i < state_.velocity.layout().plane; i += Layout::kLanes) {
+    for (std::ptrdiff_t i = 0; i < velocity.layout().plane; i += Layout::kLanes) {
       for (int k = 0; k < Layout::kLanes; ++k) {
         const T squared = x[i + k] * x[i + k] + y[i + k] * y[i + k] + z[i + k] * z[i + k];
         most[std::size_t(k)] = std::max(most[std::size_t(k)], squared);
@@ -127,17 +133,19 @@ class BackendOf final : public Backend {
     return std::sqrt(double(std::ranges::max(most)));
   }
   [[nodiscard]] Power power(double time) const override {
-    return forces_.powerOf(time, state_.position, state_.velocity);
+    const State<T>& now = state();
+    return forces_.powerOf(time, now.position, now.velocity);
   }
   [[nodiscard]] Power energyOfPower() const override { return forces_.energyOfPower(); }
   [[nodiscard]] std::int64_t evaluations() const override { return forces_.evaluations(); }
-  [[nodiscard]] Vec3 position(int particle) const override { return state_.position.get(particle); }
-  [[nodiscard]] Vec3 velocity(int particle) const override { return state_.velocity.get(particle); }
-  [[nodiscard]] std::uint64_t hash() const override { return hashOf(state_); }
+  [[nodiscard]] Vec3 position(int particle) const override { return state().position.get(particle); }
+  [[nodiscard]] Vec3 velocity(int particle) const override { return state().velocity.get(particle); }
+  [[nodiscard]] std::uint64_t hash() const override { return hashOf(state()); }
 
   void copyPositions(std::span<float> xyz) const override {
     const Layout& layout = forces_.layout();
-    const T *x = state_.position.x(), *y = state_.position.y(), *z = state_.position.z();
+    const VectorField<T>& position = state().position;
+    const T *x = position.x(), *y = position.y(), *z = position.z();
     float* out = xyz.data();
     for (int row = 0; row < layout.rows; ++row) {
       for (std::ptrdiff_t i = row * layout.stride; i < row * layout.stride + layout.columns; ++i) {
@@ -146,9 +154,13 @@ class BackendOf final : public Backend {
     }
   }
 
+  [[nodiscard]] std::shared_ptr<const DevicePositions> positionsOnDevice() const override {
+    return integrator_->positionsOnDevice(state_);
+  }
+
   [[nodiscard]] std::unique_ptr<Checkpoint> save() const override {
     auto checkpoint = std::make_unique<CheckpointOf>();
-    checkpoint->state = state_;
+    checkpoint->state = state();
     checkpoint->integrator = integrator_->clone();
     checkpoint->account = forces_.account();
     return checkpoint;
@@ -161,6 +173,11 @@ class BackendOf final : public Backend {
   }
 
  private:
+  [[nodiscard]] State<T>& state() const {
+    integrator_->fetch(state_);
+    return state_;
+  }
+
   struct CheckpointOf final : Checkpoint {
     State<T> state;
     std::unique_ptr<Integrator<T>> integrator;
@@ -171,7 +188,7 @@ class BackendOf final : public Backend {
   const Scene& scene_;
   const Sheet& sheet_;
   Acting acting_;
-  State<T> state_;
+  mutable State<T> state_;  // a device may have it, see Integrator::fetch
   Workers& workers_;
   Forces<T> forces_;
   Device* device_;  // null: the processor

@@ -60,6 +60,8 @@ class Backend {
   [[nodiscard]] virtual Vec3 position(int particle) const = 0;
   [[nodiscard]] virtual Vec3 velocity(int particle) const = 0;
   virtual void copyPositions(std::span<float> xyz) const = 0;
+  /// See Integrator::positionsOnDevice.
+  [[nodiscard]] virtual std::shared_ptr<const DevicePositions> positionsOnDevice() const = 0;
   [[nodiscard]] virtual std::uint64_t hash() const = 0;
 
   [[nodiscard]] virtual std::unique_ptr<Checkpoint> save() const = 0;

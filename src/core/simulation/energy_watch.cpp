@@ -15,6 +15,7 @@ void EnergyWatch::turn(Status status, double time) {
 void EnergyWatch::check(const EnergySample& sample) {
   const StoredEnergy energy = sample.stored.since(start_);
   maxStretch_ = std::max(maxStretch_, energy.maxStretch);
+  kinetic_ = energy.kinetic;
   turn(alarm_.check(energy, sample.work(), sample.flowing()), sample.time);
 }
 

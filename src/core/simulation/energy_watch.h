@@ -62,6 +62,7 @@ class EnergyWatch {
   [[nodiscard]] bool gaveUp() const { return gaveUp_; }
   [[nodiscard]] Status status() const { return status_; }
   [[nodiscard]] double alarmTime() const { return alarmTime_; }  ///< s; NaN before the alarm
+  [[nodiscard]] double kinetic() const { return kinetic_; }      ///< J, at the last energy check
 
  private:
   void turn(Status status, double time);
@@ -71,7 +72,7 @@ class EnergyWatch {
   Status status_ = Status::Ok;
   double alarmTime_ = std::numeric_limits<double>::quiet_NaN();
   bool gaveUp_ = false;
-  double maxStretch_ = 0;
+  double maxStretch_ = 0, kinetic_ = 0;
   /// What can store energy in a scene, and what can do work besides pushes.
   struct Named {
     std::array<bool, kStores.list.size()> stores{};

@@ -159,6 +159,9 @@ const EventLog& Simulation::log() const { return impl_->run.log; }
 Vec3 Simulation::position(int particle) const { return impl_->backend->position(particle); }
 Vec3 Simulation::velocity(int particle) const { return impl_->backend->velocity(particle); }
 void Simulation::copyPositions(std::span<float> xyz) const { impl_->backend->copyPositions(xyz); }
+std::shared_ptr<const DevicePositions> Simulation::positionsOnDevice() const {
+  return impl_->backend->positionsOnDevice();
+}
 std::uint64_t Simulation::hash() const { return impl_->sheet.missing.mixedInto(impl_->backend->hash()); }
 Ledger Simulation::ledger() { return impl_->run.energies.ledger(impl_->sample()); }
 Glance Simulation::glance() const {
@@ -167,6 +170,7 @@ Glance Simulation::glance() const {
   glance.status = energies.status();
   return glance;
 }
+double Simulation::checkedKinetic() const { return impl_->run.energies.kinetic(); }
 double Simulation::liveStableStep() { return impl_->backend->liveStableStep(method(), time()); }
 Status Simulation::check() {
   impl_->checkEnergies();

@@ -26,10 +26,10 @@ glm::vec2 depthsOf(const Camera& camera) {
 
 }  // namespace
 
-Frame makeFrame(std::span<const float> xyz, const Camera& camera, glm::ivec2 pixels, const DrawOptions& options,
+Frame makeFrame(const DrawnPositions& positions, const Camera& camera, glm::ivec2 pixels, const DrawOptions& options,
                 const ShownPush* push) {
   const glm::vec2 size(pixels);
-  return {.xyz = xyz,
+  return {.positions = positions,
           .camera = camera,
           .options = options,
           .push = push,

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <span>
 
 #include <glm/glm.hpp>
 
@@ -11,13 +10,14 @@
 #include "gfx/passes/palette.h"
 #include "view/camera.h"
 #include "view/draw_options.h"
+#include "view/drawn_positions.h"
 #include "view/lamp_light.h"
 
 namespace tyg {
 
 /// Valid while the frame is drawn: it refers to what the renderer was given.
 struct Frame {
-  std::span<const float> xyz;  ///< of every particle of the sheet, m
+  const DrawnPositions& positions;  ///< of every particle of the sheet
   const Camera& camera;
   const DrawOptions& options;
   const ShownPush* push;  ///< null: no push; else on a particle of the sheet
@@ -30,7 +30,7 @@ struct Frame {
 };
 
 /// Computes the matrices and the depths. `pixels` above 0.
-Frame makeFrame(std::span<const float> xyz, const Camera& camera, glm::ivec2 pixels, const DrawOptions& options,
+Frame makeFrame(const DrawnPositions& positions, const Camera& camera, glm::ivec2 pixels, const DrawOptions& options,
                 const ShownPush* push);
 
 /// How the colour and the size of a line or a disc follow its distance from the eye.

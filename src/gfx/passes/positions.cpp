@@ -12,9 +12,9 @@ int Positions::mostPoints() {
   return numbers / 3;
 }
 
-Positions::Positions(int points) {
+Positions::Positions(int points) : bytes_(GLsizeiptr{3} * points * GLsizeiptr{sizeof(float)}) {
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
-  glBufferData(GL_ARRAY_BUFFER, GLsizeiptr{3} * points * GLsizeiptr{sizeof(float)}, nullptr, GL_STREAM_DRAW);
+  glBufferData(GL_ARRAY_BUFFER, bytes_, nullptr, GL_STREAM_DRAW);
   glBindTexture(GL_TEXTURE_BUFFER, texture_.name());
   glTexBuffer(GL_TEXTURE_BUFFER, GL_R32F, buffer_.name());
   glBindVertexArray(vertices_.name());
@@ -27,6 +27,12 @@ void Positions::upload(std::span<const float> xyz) const {
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
   // A new store for each frame: the driver need not wait for the last frame to be done with the old one.
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(xyz.size_bytes()), xyz.data(), GL_STREAM_DRAW);
+}
+
+void Positions::copy(GLuint from) const {
+  glBindBuffer(GL_COPY_READ_BUFFER, from);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+  glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_ARRAY_BUFFER, 0, 0, bytes_);
 }
 
 }  // namespace tyg

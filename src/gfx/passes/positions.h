@@ -17,12 +17,15 @@ class Positions {
 
   /// x, y, z of each point, m.
   void upload(std::span<const float> xyz) const;
+  /// The same from a buffer of this context.
+  void copy(GLuint from) const;
   [[nodiscard]] GLuint buffer() const { return buffer_.name(); }
   [[nodiscard]] GLuint texture() const { return texture_.name(); }
   /// A vertex array with the points as its first attribute.
   [[nodiscard]] GLuint vertices() const { return vertices_.name(); }
 
  private:
+  GLsizeiptr bytes_;
   GlBuffer buffer_;
   GlTexture texture_;
   GlVertexArray vertices_;

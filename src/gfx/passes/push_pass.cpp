@@ -9,7 +9,8 @@ constexpr float kWidth = 2.6F;  // pixels
 void PushPass::draw(const Frame& frame) {
   if (frame.push == nullptr) return;
   const auto at = 3 * static_cast<std::size_t>(frame.push->particle);
-  const glm::vec3 foot(frame.xyz[at], frame.xyz[at + 1], frame.xyz[at + 2]);
+  const std::span<const float> xyz = frame.positions.xyz();
+  const glm::vec3 foot(xyz[at], xyz[at + 1], xyz[at + 2]);
   const glm::vec3 force(frame.push->force.x, frame.push->force.y, frame.push->force.z);
   const auto points = arrowPoints(foot, force, arrowLength(canvas_.sheet, glm::length(force)));
   points_.upload({&points[0].x, 3 * points.size()});

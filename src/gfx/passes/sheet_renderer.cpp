@@ -72,18 +72,18 @@ void SheetRenderer::follow(const Sheet& sheet) {
   for (const std::unique_ptr<Pass>& pass : passes_) pass->changeSheet();
 }
 
-void SheetRenderer::draw(std::span<const float> xyz, const Camera& camera, glm::ivec2 pixels,
+void SheetRenderer::draw(const DrawnPositions& positions, const Camera& camera, glm::ivec2 pixels,
                          const DrawOptions& options, const std::optional<ShownPush>& push) {
   const int count = canvas_->sheet.count();
-  if (xyz.size() != 3 * static_cast<std::size_t>(count)) {
+  if (positions.buffer() == 0 && positions.xyz().size() != 3 * static_cast<std::size_t>(count)) {
     throw std::invalid_argument("the renderer needs the positions of its own sheet");
   }
   if (pixels.x <= 0 || pixels.y <= 0) return;
   const bool shown = push && push->particle >= 0 && push->particle < count;
-  const Frame frame = makeFrame(xyz, camera, pixels, options, shown ? &*push : nullptr);
+  const Frame frame = makeFrame(positions, camera, pixels, options, shown ? &*push : nullptr);
   setState(pixels);
-  canvas_->positions.upload(xyz);
-  if (canvas_->showsSurface(options)) canvas_->cloth.upload(canvas_->sheet, xyz);
+  positions.buffer() != 0 ? canvas_->positions.copy(positions.buffer()) : canvas_->positions.upload(positions.xyz());
+  if (canvas_->showsSurface(options)) canvas_->cloth.upload(canvas_->sheet, positions.xyz());
   if (!options.over) canvas_->bodies.follow(options.bodies);
   for (const std::unique_ptr<Pass>& pass : passes_) pass->prepare(frame);
   if (!options.over) {

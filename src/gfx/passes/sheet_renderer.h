@@ -13,6 +13,7 @@
 #include "tyg/sheet.h"
 #include "view/camera.h"
 #include "view/draw_options.h"
+#include "view/drawn_positions.h"
 
 namespace tyg {
 
@@ -36,13 +37,18 @@ class SheetRenderer {
   /// From now on the sheet has these pins and springs; draws nothing. Does nothing where it has them already. Throws
   /// std::invalid_argument for a sheet of another size.
   void follow(const Sheet& sheet);
-  /// Clears the bound framebuffer (unless options.over) and draws one frame. `xyz` holds 3 * sheet.count() numbers
-  /// (anything else throws std::invalid_argument), uploaded once. `pixels` is the framebuffer's size; zero draws
+  /// Clears the bound framebuffer (unless options.over) and draws one frame. The positions are those of the sheet's
+  /// particles (another number of them throws std::invalid_argument), uploaded once, or copied once from their buffer;
+  /// of such ones no more are read than an arrow or a surface needs. `pixels` is the framebuffer's size; zero draws
   /// nothing. The depth shading follows camera.watched(). A push on a particle that the sheet does not have is not
   /// drawn. Allocates nothing, but for a surface, the lines of a family of springs, and a body, that is drawn for the
   /// first time, or for the first time with other springs.
-  void draw(std::span<const float> xyz, const Camera& camera, glm::ivec2 pixels, const DrawOptions& options,
+  void draw(const DrawnPositions& positions, const Camera& camera, glm::ivec2 pixels, const DrawOptions& options,
             const std::optional<ShownPush>& push = std::nullopt);
+  void draw(std::span<const float> xyz, const Camera& camera, glm::ivec2 pixels, const DrawOptions& options,
+            const std::optional<ShownPush>& push = std::nullopt) {
+    draw(DrawnPositions(xyz), camera, pixels, options, push);
+  }
 
  private:
   std::shared_ptr<Programs> programs_;

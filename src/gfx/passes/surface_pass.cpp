@@ -74,7 +74,7 @@ void SurfacePass::drawSoftEdges(const Frame& frame, const GlProgram& program) co
 bool SurfacePass::uploadValues(const Frame& frame) {
   const Colouring& colouring = frame.options.colouring;
   if (colouring.by == Colouring::By::Family) return false;
-  if (colouring.by == Colouring::By::Strain) particleStrains(canvas_.sheet, frame.xyz, strains_);
+  if (colouring.by == Colouring::By::Strain) particleStrains(canvas_.sheet, frame.positions.xyz(), strains_);
   const std::span<const float> values = colouring.by == Colouring::By::Strain ? strains_ : colouring.values;
   if (values.size() != static_cast<std::size_t>(canvas_.sheet.count())) return false;
   glBindBuffer(GL_TEXTURE_BUFFER, objects_->values.name());

@@ -1,6 +1,7 @@
 // The force of the air on each corner of a cell, by the operations of the processor's AirTerm and in their order. The
 // winds of each moment, which the host works out, are steady ones and gusts.
 
+#if AIR
 layout(std430, binding = 11) readonly buffer Gusts { float gusts[]; };  // of all moments: amplitude, wave, phase, seven each
 uniform int firstGust, endGust;
 uniform vec3 steadyWind;               // m/s
@@ -49,3 +50,5 @@ vec3 cornerForce(int a) {
   precise vec3 corner = factor * twiceArea;
   return corner;
 }
+
+#endif

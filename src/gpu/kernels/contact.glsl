@@ -1,6 +1,7 @@
 // What bodies do to a particle, by the operations of the processor's ContactTerm and in their order. A body that a
 // particle does not touch adds nothing.
 
+#if CONTACT
 layout(std430, binding = 12) readonly buffer Solids { float solids[]; };  // of all moments, twelve numbers each:
 const int solidSize = 12;  // shape, at, axis, one over the axis' squared length, radius, velocity
 uniform int firstSolid, endSolid;
@@ -120,3 +121,5 @@ vec3 withContact(vec3 f, vec3 place, vec3 velocity) {
   }
   return sum;
 }
+
+#endif

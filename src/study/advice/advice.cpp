@@ -126,6 +126,7 @@ SearchPlan searchPlanFor(Task& task) {
   plan.precisions = task.plan.precisions;
   plan.threads = task.threads;
   plan.cost = task.plan.cost;
+  plan.device = task.plan.device;
   plan.mostSeconds = task.plan.mostSeconds;
   plan.allSeconds = task.plan.allSeconds;
   plan.observer = [&task](int runs) { return task.progress.reach(kStudyShare * (1 - 1 / (1 + 0.05 * runs))); };
@@ -231,16 +232,18 @@ Reference referenceFor(double promised, const Truth& truth, Task& task) {
 }
 
 /// s that a run takes by the clock, the least of up to three.
-double measuredSeconds(const Scene& scene, const Method& method, double expected, Task& task) {
+double measuredSeconds(const Trial& choice, double expected, Task& task) {
   constexpr int kRepeats = 3;
   constexpr double kLongEnough = 1;  // s: of long runs one will do
   double least = Advice::kNone;
   for (int k = 0; k < kRepeats && !task.progress.stopped() && !(k * expected > kLongEnough); ++k) {
-    Simulation simulation(scene, method, {.threads = task.threads});
+    Simulation simulation(choice.scene, findMethod(choice.scene.integrator),
+                          {.threads = task.threads, .device = choice.device});
     simulation.observe([&] { return task.progress.goesOn(); });
-    const double start = task.plan.clock(task.threads);
-    simulation.advanceTo(scene.duration);
-    least = std::fmin(least, task.plan.clock(task.threads) - start);
+    const int busy = choice.device ? std::max(2, task.threads) : task.threads;
+    const double start = task.plan.clock(busy);
+    simulation.advanceTo(choice.scene.duration);
+    least = std::fmin(least, task.plan.clock(busy) - start);
   }
   return least;
 }
@@ -253,12 +256,13 @@ Advice proven(Advice advice, const Reference& reference, Task& task) {
   const auto observer = [&](double time) {
     return task.progress.reach(kStudyShare + kReferenceShare + kProofShare * time / duration);
   };
-  const SampledMotion run =
-      sampledRun(promise.scene, method, reference.motion.times, {.threads = task.threads, .observer = observer});
+  const SampledMotion run = sampledRun(promise.scene, method, reference.motion.times,
+                                       {.threads = task.threads, .observer = observer, .device = promise.device});
   advice.achieved = motionError(run, reference.motion).rms;
   advice.uncertainty = reference.disagreement.back();
   advice.floor = reference.floorOf(promise.scene.precision);
-  const double cost = static_cast<double>(workOf(method, run)) * task.plan.cost(promise.scene, task.threads);
+  const Price price = cheapestPrice(task.plan.cost, task.plan.device, promise.scene, task.threads);
+  const double cost = static_cast<double>(workOf(method, run)) * price.seconds;
   constexpr double kNear = 1.1;  // of what was found nearest to a request that cannot be met
   if (task.asksForError()) {
     const double asked = advice.met ? task.plan.request.error : kNear * promise.error;
@@ -267,7 +271,7 @@ Advice proven(Advice advice, const Reference& reference, Task& task) {
     const double asked = advice.met ? task.plan.request.budget : kNear * frameSeconds(promise.seconds, duration);
     advice.held = frameSeconds(cost, duration) <= asked;
   }
-  advice.measured = measuredSeconds(promise.scene, method, cost, task);
+  advice.measured = measuredSeconds(promise, cost, task);
   return advice;
 }
 

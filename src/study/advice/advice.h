@@ -53,6 +53,7 @@ struct AdvicePlan {
   std::vector<Precision> precisions{Precision::Double, Precision::Float};
   std::vector<int> threads{1};  ///< to choose from
   UnitCost cost;
+  DeviceOffer device{};                      ///< beside the processor
   double mostSeconds = 1.5, allSeconds = 4;  ///< as of SearchPlan
   CostMeter::Clock clock;                    ///< s, for `measured` alone
   /// Gets the fraction done now and then; false stops.

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "study/work/cost.h"
@@ -19,6 +20,8 @@ struct Trial {
   double seconds = 0;                                      ///< work times its calibrated cost
   bool cutShort = false;                                   ///< it cost more than it was allowed to
   double wholeSeconds = 0;                                 ///< what it would have cost then, about; else the same
+  std::shared_ptr<Device> device{};                        ///< that it ran on; null: the processor
+  double elsewhere = std::numeric_limits<double>::infinity();  ///< s that it would take on the other, see Price
 };
 
 class SettingCandidate {

@@ -57,7 +57,7 @@ void SettingSearch::gatherCandidates() {
     for (const Precision precision : plan_.precisions) {
       SettingCandidate& candidate = candidates_.emplace_back(scene_, *method, precision, interval);
       if (method->adaptive) continue;
-      const double unit = plan_.cost(candidate.at(candidate.loosest()), plan_.threads);
+      const double unit = priceOf(candidate.at(candidate.loosest())).seconds;
       candidate.priceStep(unit * std::max(method->evaluationsPerStep, 1));
       const double seconds = candidate.expectedAt(candidate.loosest());
       if (cheapest == 0 || seconds < cheapest) cheapest = seconds;
@@ -78,18 +78,19 @@ double SettingSearch::allSeconds() const {
 void SettingSearch::tryOut(SettingCandidate& candidate, double parameter, double most) {
   const Scene scene = candidate.at(parameter);
   const Method& method = candidate.method();
-  const double unit = plan_.cost(scene, plan_.threads);
+  const Price price = priceOf(scene);
   const auto observer = [&](double) {
     stopped_ = stopped_ || (plan_.observer && !plan_.observer(runs_));
     return !stopped_;
   };
   constexpr double kSlack = 1.05;  // evaluations at starts and jumps of the force are not part of the guess
-  const auto mostEvaluations = static_cast<std::int64_t>(std::fmin(std::ceil(kSlack * most / unit), 1e18));
-  SamplingOptions options{.threads = plan_.threads, .observer = observer};
+  const auto mostEvaluations = static_cast<std::int64_t>(std::fmin(std::ceil(kSlack * most / price.seconds), 1e18));
+  SamplingOptions options{.threads = plan_.threads, .observer = observer, .device = price.device};
   options.mostEvaluations = mostEvaluations;
   const SampledMotion run = sampledRun(scene, method, truth_->times, options);
   Trial trial{.scene = scene, .status = run.status, .work = workOf(method, run)};
-  trial.seconds = static_cast<double>(trial.work) * unit;
+  trial.seconds = static_cast<double>(trial.work) * price.seconds;
+  trial.device = price.device, trial.elsewhere = static_cast<double>(trial.work) * price.elsewhere;
   trial.wholeSeconds = trial.seconds;
   if (run.stopped) {
     trial.cutShort = true;

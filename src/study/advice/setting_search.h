@@ -16,6 +16,7 @@ struct SearchPlan {
   std::vector<Precision> precisions{Precision::Double, Precision::Float};
   int threads = 1;
   UnitCost cost;
+  DeviceOffer device{};  ///< takes the runs that cost less there
   /// No run that costs more is made: at least real time, and four times what the cheapest run costs.
   double mostSeconds = 1.5;
   double allSeconds = 4;  ///< of all runs of one search: at least three times what the most expensive run may cost
@@ -59,6 +60,9 @@ class SettingSearch {
   [[nodiscard]] std::optional<Trial> bestFor(double seconds) const;
   [[nodiscard]] double allSeconds() const;
   [[nodiscard]] double endOf(std::size_t candidate, const std::vector<SettingCandidate::Next>& next) const;
+  [[nodiscard]] Price priceOf(const Scene& scene) const {
+    return cheapestPrice(plan_.cost, plan_.device, scene, plan_.threads);
+  }
   /// One run at a parameter, which is cut short where it would cost more than `most` s.
   void tryOut(SettingCandidate& candidate, double parameter, double most);
 

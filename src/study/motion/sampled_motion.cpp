@@ -41,7 +41,8 @@ std::vector<double> sampleTimes(const Scene& scene) {
 
 SampledMotion sampledRun(const Scene& scene, const Method& method, const std::vector<double>& times,
                          const SamplingOptions& options) {
-  Simulation simulation(scene, method, {.threads = options.threads, .ledger = options.ledger});
+  Simulation simulation(scene, method,
+                        {.threads = options.threads, .ledger = options.ledger, .device = options.device});
   SampledMotion motion;
   if (!options.ledger) motion.energyDrift = std::numeric_limits<double>::quiet_NaN();
   simulation.observe([&] {

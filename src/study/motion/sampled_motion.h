@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "tyg/simulation.h"
@@ -37,6 +38,7 @@ struct SamplingOptions {
   std::int64_t mostEvaluations = 0;
   /// Gets the simulated time (s) now and then; false stops the run. May be empty.
   std::function<bool(double time)> observer;
+  std::shared_ptr<Device> device{};  ///< as Settings::device
 };
 
 /// Runs the scene and samples it at `times` (ascending, s). Throws InputError as Simulation does.

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "core/forces/term.h"
@@ -27,14 +28,17 @@ bool workVaries(const Method& method) {
 /// A run that goes on burst by burst. Past a scene's end it goes on too, and past its alarm.
 class Bursts {
  public:
-  Bursts(const Scene& scene, int threads, const CostMeter::Clock& clock)
-      : simulation_(scene, findMethod(scene.integrator), {.threads = threads, .keepGoing = true}),
+  Bursts(const Scene& scene, int threads, const CostMeter::Clock& clock,
+         const std::shared_ptr<Device>& device = nullptr)
+      : simulation_(scene, findMethod(scene.integrator), {.threads = threads, .keepGoing = true, .device = device}),
         clock_(clock),
         threads_(threads) {
     shortenTicks();
     // As many ticks at once as make reading the clock cheap, but a single one where a tick takes long: on a large sheet
-    // some methods solve equations for a tenth of a second.
+    // some methods solve equations for a tenth of a second. On a device each burst has an energy check, for which the
+    // state comes back.
     constexpr std::int64_t kMostTicks = 64;
+    if (device) ticks_ = kMostTicks;
     while (ticks_ < kMostTicks && secondsOf(ticks_) < kLongEnough) ticks_ *= 2;
   }
 
@@ -149,23 +153,30 @@ double countedCost(const Scene& scene) {
 CostMeter::CostMeter(Scene yardstick, int threads, Clock clock)
     : yardstick_(std::move(yardstick)), threads_(threads), clock_(std::move(clock)) {}
 
-double CostMeter::secondsPerUnit(const Scene& scene, int threads) {
+Price cheapestPrice(const UnitCost& processor, const DeviceOffer& offer, const Scene& scene, int threads) {
+  const double here = processor(scene, threads);
+  const double there = offer.device ? offer.cost(scene, threads) : std::numeric_limits<double>::infinity();
+  if (there < here) return {there, offer.device, here};
+  return {here, nullptr, there};
+}
+
+double CostMeter::secondsPerUnit(const Scene& scene, int threads, const std::shared_ptr<Device>& device) {
   if (known_.empty()) {
     constexpr int kFirstRounds = 40;
     Bursts yardstick(yardstick_, threads_, clock_);
     for (int round = 0; round < kFirstRounds; ++round) yardstick.again();
     yardstickSeconds_ = known_[keyOf(yardstick_, threads_)] = yardstick.secondsPerUnit();
   }
-  const std::string key = keyOf(scene, threads);
+  const std::string key = keyOf(scene, threads) + (device ? " device" : "");
   const auto found = known_.find(key);
   if (found != known_.end()) return found->second;
-  return known_[key] = measured(scene, threads);
+  return known_[key] = measured(scene, device ? std::max(2, threads) : threads, device);
 }
 
-double CostMeter::measured(const Scene& scene, int threads) {
+double CostMeter::measured(const Scene& scene, int threads, const std::shared_ptr<Device>& device) {
   constexpr int kRounds = 20, kFewestRounds = 3, kMostRounds = 100;
   constexpr double kLongEnough = 0.2;  // s: slow bursts need fewer repeats
-  Bursts yardstick(yardstick_, threads_, clock_), other(scene, threads, clock_);
+  Bursts yardstick(yardstick_, threads_, clock_), other(scene, threads, clock_, device);
   const double start = clock_(threads);
   // On a busy machine the fastest bursts of the first rounds may have been disturbed too.
   const auto wanted = [&](int round) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 
 #include "study/motion/sampled_motion.h"
@@ -23,6 +24,20 @@ double countedCost(const Scene& scene);
 /// Seconds that one unit of work of a scene takes, by the scene's own method, step, precision, grid and terms.
 using UnitCost = std::function<double(const Scene& scene, int threads)>;
 
+/// A device that may do work in place of the processor, with the same bits.
+struct DeviceOffer {
+  std::shared_ptr<Device> device{};  ///< null: there is none
+  UnitCost cost{};                   ///< there; infinite where it does not take the scene
+};
+
+/// Of one unit of work, s, where it costs least.
+struct Price {
+  double seconds = 0;
+  std::shared_ptr<Device> device{};  ///< that does it; null: the processor
+  double elsewhere = 0;              ///< s on the other of the two; infinite where there is none, or it cannot
+};
+Price cheapestPrice(const UnitCost& processor, const DeviceOffer& offer, const Scene& scene, int threads);
+
 /// Measures unit costs. Each is measured once and kept: the next question of the same kind gets the same answer.
 class CostMeter {
  public:
@@ -34,10 +49,12 @@ class CostMeter {
   CostMeter(Scene yardstick, int threads, Clock clock);
 
   /// s for one unit; `scene.integrator` must name a method that takes the scene (else InputError).
-  double secondsPerUnit(const Scene& scene, int threads);
+  /// On a device, where one is given, it is by the clock's time for two threads at least: a device works beside this
+  /// thread. Throws InputError where the device does not take the scene.
+  double secondsPerUnit(const Scene& scene, int threads, const std::shared_ptr<Device>& device = nullptr);
 
  private:
-  double measured(const Scene& scene, int threads);
+  double measured(const Scene& scene, int threads, const std::shared_ptr<Device>& device);
 
   Scene yardstick_;
   int threads_;

@@ -58,14 +58,17 @@ KeyCode buttonCode(int button) {
   return button >= 0 && button < 3 ? kButtons[static_cast<std::size_t>(button)] : KeyCode{0};
 }
 
+/// With 4.3 a card computes in the window's context. Some drivers give no later version than they are asked for.
 GLFWwindow* createWindow(const WindowOptions& options) {
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-  GLFWwindow* window =
-      glfwCreateWindow(options.size.width, options.size.height, options.title.c_str(), nullptr, nullptr);
-  if (window != nullptr) return window;
+  for (const int major : {4, 3}) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    GLFWwindow* window =
+        glfwCreateWindow(options.size.width, options.size.height, options.title.c_str(), nullptr, nullptr);
+    if (window != nullptr) return window;
+  }
   throw WindowError("this display gives no OpenGL 3.3 window (" + glfwComplaint() + ")");
 }
 
@@ -126,6 +129,7 @@ class GlfwWindow final : public Window {
     return y > 0 ? y : 1;
   }
   [[nodiscard]] bool closeRequested() const override { return glfwWindowShouldClose(window_) != 0; }
+  [[nodiscard]] Finder finder() const override { return glfwGetProcAddress; }
 
   // Where ImGui has a queue of its own, it puts its own callbacks before ours and calls ours too.
   void attachOverlay() override {
