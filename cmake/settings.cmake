@@ -6,6 +6,10 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 # A room's files need not wait until the libraries below it are complete; only linking must.
 set(CMAKE_OPTIMIZE_DEPENDENCIES ON)
 
+if(MSVC)  # clang-cl too, which passes over the options below and then contracts a * b + c
+  message(FATAL_ERROR "CMAKE_CXX_COMPILER: found ${CMAKE_CXX_COMPILER_ID} with Microsoft's options, allowed are g++ and clang++")
+endif()
+
 # -ffp-contract=off: the same bits from every compiler and vector width. -fno-math-errno, -fno-trapping-math: square
 # roots and selections vectorise; neither changes a result.
 add_library(tyg_settings INTERFACE)

@@ -7,8 +7,18 @@
 #include <new>
 
 namespace {
+
 std::atomic<long> allocations{0};
-}
+
+#ifdef _WIN32
+void* allocateAligned(std::size_t to, std::size_t size) { return _aligned_malloc(size, to); }
+void freeAligned(void* memory) { _aligned_free(memory); }
+#else
+void* allocateAligned(std::size_t to, std::size_t size) { return std::aligned_alloc(to, (size + to - 1) / to * to); }
+void freeAligned(void* memory) { std::free(memory); }
+#endif
+
+}  // namespace
 
 #pragma GCC diagnostic ignored "-Wmismatched-new-delete"  // GCC does not see that these belong together
 void* operator new(std::size_t size) {
@@ -22,12 +32,11 @@ void* operator new(std::size_t size, const std::nothrow_t&) noexcept {  // of st
 }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   ++allocations;
-  const auto to = static_cast<std::size_t>(alignment);
-  if (void* memory = std::aligned_alloc(to, (size + to - 1) / to * to)) return memory;
+  if (void* memory = allocateAligned(static_cast<std::size_t>(alignment), size)) return memory;
   throw std::bad_alloc();
 }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { freeAligned(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { freeAligned(memory); }

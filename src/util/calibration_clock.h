@@ -5,7 +5,7 @@
 namespace tyg {
 
 /// s from some start: for one thread the time that the calling thread itself has computed, so that other programs do
-/// not count; for more threads the time of day.
+/// not count (but on Windows, which counts it coarsely); for more threads the time of day.
 double calibrationClock(int threads);
 /// s of the time of day, from some start.
 double wallClock();

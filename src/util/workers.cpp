@@ -9,6 +9,8 @@
 #include <thread>
 #include <vector>
 
+#include "util/sleeping.h"
+
 namespace tyg {
 namespace {
 
@@ -22,14 +24,13 @@ void pauseBriefly() {
 #endif
 }
 
-/// Returns once `value` differs from `old`.
-template <class T>
-void awaitChange(const std::atomic<T>& value, T old, int spins) {
+/// Returns once `number` differs from `old`.
+void awaitChange(const std::atomic<unsigned>& number, unsigned old, int spins) {
   for (int spin = 0; spin < spins; ++spin) {
-    if (value.load(std::memory_order_acquire) != old) return;
+    if (number.load(std::memory_order_acquire) != old) return;
     pauseBriefly();
   }
-  value.wait(old, std::memory_order_acquire);
+  sleepWhile(number, old);
 }
 
 }  // namespace
@@ -37,7 +38,7 @@ void awaitChange(const std::atomic<T>& value, T old, int spins) {
 struct Workers::Pool {
   Job job;
   std::atomic<unsigned> generation{0};
-  std::atomic<int> unfinished{0};
+  std::atomic<unsigned> unfinished{0};
   std::atomic<bool> ending{false};
   int bands = 1;  // of a job, one for every thread; set before the first job
   int spins = 0;  // none where threads share cores: a spinning one would only keep a working one waiting
@@ -48,7 +49,7 @@ struct Workers::Pool {
   ~Pool() {
     ending = true;
     ++generation;
-    generation.notify_all();
+    wakeSleepers(generation);
   }
 
   void doBand(int thread) const {
@@ -63,7 +64,7 @@ struct Workers::Pool {
       ++seen;
       if (ending.load(std::memory_order_relaxed)) return;
       doBand(thread);
-      if (unfinished.fetch_sub(1, std::memory_order_acq_rel) == 1) unfinished.notify_one();
+      if (unfinished.fetch_sub(1, std::memory_order_acq_rel) == 1) wakeSleepers(unfinished);
     }
   }
 };
@@ -88,11 +89,11 @@ Workers::~Workers() = default;
 
 void Workers::share(const Job& job) {
   pool_->job = job;
-  pool_->unfinished.store(threads_ - 1, std::memory_order_relaxed);
+  pool_->unfinished.store(unsigned(threads_ - 1), std::memory_order_relaxed);
   pool_->generation.fetch_add(1, std::memory_order_release);
-  pool_->generation.notify_all();
+  wakeSleepers(pool_->generation);
   pool_->doBand(0);
-  for (int left = pool_->unfinished.load(std::memory_order_acquire); left > 0;
+  for (unsigned left = pool_->unfinished.load(std::memory_order_acquire); left > 0;
        left = pool_->unfinished.load(std::memory_order_acquire)) {
     awaitChange(pool_->unfinished, left, pool_->spins);
   }

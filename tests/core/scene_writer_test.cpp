@@ -58,7 +58,7 @@ TEST(SceneWriter, ThePictureOfALookIsBesideItsSceneAndIsFoundFromACopyElsewhere)
   const std::string look = "[look]\nimage = 'my cloth.JPG'\n[run]\nduration = 1\nintegrator = 'rk4'\ndt = 0.01\n";
   const std::string text = "title = 't'\n[sheet]\ncolumns = 2\nrows = 2\nspacing = 1\nparticle_mass = 1\n" + look;
   const Scene scene = parseScene(text, "far/away/a.toml");
-  EXPECT_EQ(scene.look.image, (std::filesystem::current_path() / "far/away/my cloth.JPG").string());
+  EXPECT_EQ(scene.look.image, (std::filesystem::current_path() / "far" / "away" / "my cloth.JPG").string());
   EXPECT_EQ(parseScene(sceneToToml(scene), "copy.toml").look.image, scene.look.image);
 }
 

@@ -1,30 +1,24 @@
 // A handler of signals may neither allocate nor lock: what is unfinished is kept in a table of fixed size.
 #include "util/sudden_end.h"
 
-#include <unistd.h>
-
+#include <algorithm>
 #include <array>
 #include <atomic>
-#include <climits>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <string>
 #include <utility>
+
+#include "util/sudden_end_system.h"
 
 namespace tyg {
 namespace {
 
-/// Signals that end a process which does not handle them.
-constexpr std::array kDeadly{SIGHUP,  SIGINT,  SIGTERM, SIGQUIT, SIGPIPE, SIGALRM, SIGUSR1, SIGUSR2,
-                             SIGXCPU, SIGABRT, SIGSEGV, SIGBUS,  SIGFPE,  SIGILL,  SIGSYS,  SIGVTALRM};
-
 struct Slot {
   enum State : int { Free, BeingFilled, Filled };
   std::atomic<int> state = Free;
-  pid_t group = 0;  ///< 0: a file
-  std::array<char, PATH_MAX> path{};
+  ProcessGroup group;  ///< number 0: a file
+  std::array<std::filesystem::path::value_type, 4096> path{};
 };
 std::array<Slot, 16> slots;  // more unfinished things at once than the program ever has; others go unnoticed
 
@@ -42,16 +36,6 @@ int takeSlot(const Fill& fill) {
   return -1;
 }
 
-/// Programs first: one that still runs could make its file again.
-void clearUnfinished() {
-  for (const bool programs : {true, false}) {
-    for (Slot& slot : slots) {
-      if (slot.state != Slot::Filled || (slot.group != 0) != programs) continue;
-      programs ? ::kill(-slot.group, SIGKILL) : ::unlink(slot.path.data());
-    }
-  }
-}
-
 std::function<void()> atExit;  // one at a time
 
 extern "C" void onExit() {
@@ -59,23 +43,27 @@ extern "C" void onExit() {
   std::exchange(atExit, nullptr)();
   clearUnfinished();
   (void)std::fflush(nullptr);
-  _exit(EXIT_FAILURE);
+  std::_Exit(EXIT_FAILURE);
 }
 
 bool prepare() {
-  for (const int signal : kDeadly) {
-    struct sigaction now {};
-    if (sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_DFL) (void)std::signal(signal, endBySignal);
-  }
-  (void)std::signal(SIGXFSZ, SIG_IGN);
+  catchSuddenEnds();
   return std::atexit(onExit) == 0;
 }
 
 }  // namespace
 
-void prepareForSuddenEnd() { [[maybe_unused]] static const bool prepared = prepare(); }
+/// Programs first: one that still runs could make its file again.
+void clearUnfinished() {
+  for (const bool programs : {true, false}) {
+    for (const Slot& slot : slots) {
+      if (slot.state != Slot::Filled || (slot.group.number != 0) != programs) continue;
+      programs ? endPrograms(slot.group) : removeFile(slot.path.data());
+    }
+  }
+}
 
-void ignoreClosedPipes() { (void)std::signal(SIGPIPE, SIG_IGN); }
+void prepareForSuddenEnd() { [[maybe_unused]] static const bool prepared = prepare(); }
 
 void endBySignal(int signal) {
   clearUnfinished();
@@ -85,11 +73,13 @@ void endBySignal(int signal) {
 
 Unfinished::Unfinished(const std::filesystem::path& file)
     : slot_(takeSlot([&](Slot& slot) {
-        slot.group = 0;
-        std::strncpy(slot.path.data(), file.c_str(), slot.path.size() - 1);  // a longer one could not be opened
+        slot.group = {};
+        const std::size_t length =
+            std::min(file.native().size(), slot.path.size() - 1);  // a longer one could not be opened
+        *std::copy_n(file.c_str(), length, slot.path.begin()) = 0;
       })) {}
 
-Unfinished::Unfinished(ProcessGroup group) : slot_(takeSlot([&](Slot& slot) { slot.group = group.number; })) {}
+Unfinished::Unfinished(ProcessGroup group) : slot_(takeSlot([&](Slot& slot) { slot.group = group; })) {}
 
 Unfinished::~Unfinished() {
   if (slot_ >= 0) slots.at(static_cast<std::size_t>(slot_)).state = Slot::Free;
