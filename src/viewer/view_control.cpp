@@ -76,7 +76,20 @@ void ViewControl::followBreaking(bool breaks, bool runs) {
   camera_.place(glm::mix(from, camera_.eye(), runs ? kShare : 1));
 }
 
-void ViewControl::keepInView(std::span<const float> particles, float seconds) {
+glm::vec3 ViewControl::missingWay() {
+  addBeside(kept_);
+  // First as deep into the picture as the cloth is beyond all that was framed: one that falls away would become tiny.
+  const glm::vec3 from = camera_.eye(), ahead = camera_.forward();
+  float beyond = std::numeric_limits<float>::infinity();
+  for (const glm::vec3& point : inView_) beyond = std::min(beyond, glm::dot(cloth_.centre() - point, ahead));
+  if (beyond > 0 && !inView_.empty()) camera_.place(from + beyond * ahead);
+  camera_.keepInView(kept_, part_);
+  const glm::vec3 missing = camera_.eye() - from;
+  camera_.place(from);
+  return missing;
+}
+
+void ViewControl::keepInView(const std::function<std::span<const float>()>& positions, float seconds) {
   if (!framed_ || !visible() || !hasMoved_ || motionBounds_.empty() || cameraMoved_ || glide_ || followed_) {
     drift_ = {};
     return;
@@ -85,25 +98,22 @@ void ViewControl::keepInView(std::span<const float> particles, float seconds) {
     if (away_) glideTo(motionBounds_);
     return;
   }
+  const auto corners = cloth_.corners();
+  kept_.assign(corners.begin(), corners.end());
+  if (drift_ == glm::vec3(0) && missingWay() == glm::vec3(0)) return;
+  const std::span<const float> particles = positions();
   kept_.clear();
   for (std::size_t i = 0; i < particles.size(); i += 3) {
     kept_.emplace_back(particles[i], particles[i + 1], particles[i + 2]);
   }
-  addBeside(kept_);
-  // First as deep into the picture as the cloth is beyond all that was framed: one that falls away would become tiny.
-  const glm::vec3 from = camera_.eye(), ahead = camera_.forward();
-  float beyond = std::numeric_limits<float>::infinity();
-  for (const glm::vec3& point : inView_) beyond = std::min(beyond, glm::dot(cloth_.centre() - point, ahead));
-  if (beyond > 0 && !inView_.empty()) camera_.place(from + beyond * ahead);
-  camera_.keepInView(kept_, part_);
+  const glm::vec3 missing = missingWay();
   // Its speed grows with the way that is missing and with how long it has been: a cloth that goes on steadily is
   // followed at a small distance, and one that stops lets the camera drift to rest.
-  const glm::vec3 missing = camera_.eye() - from;
   const float time = std::clamp(seconds, 0.0F, kLongestMove);
   drift_ += time * (kFollowRate * kFollowRate * missing - kDriftDecay * drift_);
   if (glm::length(drift_) < kAtRest * cloth_.size()) drift_ = {};
   const glm::vec3 way = time * (drift_ + 2 * kFollowRate * missing);
-  camera_.place(from + way);
+  camera_.place(camera_.eye() + way);
   if (way != glm::vec3(0)) away_ = true;
   for (glm::vec3& point : inView_) point += way;
 }

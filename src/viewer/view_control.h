@@ -2,6 +2,7 @@
 // Must not know: the simulation, windows, OpenGL.
 #pragma once
 
+#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -42,11 +43,11 @@ class ViewControl {
   /// Once a frame of a cloth that breaks: goes along with it while it runs, and shows all of it then, unless the person
   /// has moved the camera. Afterwards, once a frame of any other: goes back.
   void followBreaking(bool breaks, bool runs);
-  /// Once a frame after that, of a cloth that has moved: where the particles (x, y, z of each, m) leave what is free of
-  /// the window, the camera goes along with them, no farther than it must, unless the person has moved it. It does not
-  /// follow parts that have come so far apart that the cloth is larger than its motion bounds (by a tenth), but goes
-  /// back to these.
-  void keepInView(std::span<const float> particles, float seconds);
+  /// Once a frame after that, of a cloth that has moved: where the particles leave what is free of the window, the
+  /// camera goes along with them, no farther than it must, unless the person has moved it. It does not follow parts
+  /// that have come so far apart that the cloth is larger than its motion bounds (by a tenth), but goes back to these.
+  /// `positions` (x, y, z of each particle, m) is only asked where the box around the cloth leaves it too.
+  void keepInView(const std::function<std::span<const float>()>& positions, float seconds);
   void turn(glm::vec2 pixels);                           ///< the cursor moved so far
   void orbit(glm::vec2 pixels, const glm::vec3& about);  ///< likewise, around a point, m
   void approach(float notches);                          ///< of the wheel
@@ -79,6 +80,8 @@ class ViewControl {
   void fitView();
   void glideTo(std::vector<glm::vec3> points);
   [[nodiscard]] bool inPieces() const;
+  /// The way of the camera (m) that brings kept_ into what is free of the window.
+  [[nodiscard]] glm::vec3 missingWay();
   void movedByHand();
   void stop();
   void addBeside(std::vector<glm::vec3>& points) const;

@@ -208,7 +208,7 @@ std::vector<float> particlesOf(const Box& box) {
 void showFrame(ViewControl& view, const Box& cloth) {
   view.follow(cloth, {}, true);
   view.move({}, 0.02F);
-  view.keepInView(particlesOf(cloth), 0.02F);
+  view.keepInView([particles = particlesOf(cloth)] { return std::span<const float>(particles); }, 0.02F);
 }
 Box squareAt(const glm::vec3& way) { return {kSquare.low + way, kSquare.high + way}; }
 /// How far the corners are from the picture's middle, in halves of its width or height.
