@@ -33,7 +33,8 @@ Card::~Card() {
 void Card::run(const std::function<void()>& task) {
   const std::lock_guard caller(oneCaller_);
   if (draws()) {
-    while (gl_.GetError() != GL_NO_ERROR) continue;  // somebody else's
+    constexpr int kMost = 16;                                                   // a lost context reports one for ever
+    for (int k = 0; k < kMost && gl_.GetError() != GL_NO_ERROR; ++k) continue;  // somebody else's
     return task();
   }
   std::unique_lock lock(mutex_);

@@ -1,4 +1,5 @@
-// A jump while time passes is at most half the layer of contact, so that the cloth feels a surface that moves.
+// What time has passed decides how far a jump goes, whatever ticks were meant to pass. None is farther than half the
+// layer of contact, so that the cloth feels a surface that moves.
 #include "viewer/body_grab.h"
 
 #include <algorithm>
@@ -43,19 +44,20 @@ std::optional<PickedBody> BodyGrab::bodyAt(const ToolScope& scope, glm::vec2 cur
   return behind > kLiesOn * static_cast<float>(simulation.sheet().spacing) ? picked : std::nullopt;
 }
 
+bool BodyGrab::canMove(const Scene& scene, std::size_t body) {
+  return !sameLiveParameters(scene, withBodyAt(scene, body, placeOf(scene, body) + glm::dvec3(1)));
+}
+
 void BodyGrab::begin(const ToolScope& scope, const PickedBody& picked, glm::vec2 cursor) {
   const Scene& scene = scope.run.simulation().scene();
   const glm::dvec3 place = placeOf(scene, picked.body);
-  if (sameLiveParameters(scene, withBodyAt(scene, picked.body, place + glm::dvec3(1)))) {
-    return scope.notes.say("Of the bodies of a scene only the first six can be moved.");
-  }
   const Ray ray = sightLine(scope.view.camera(), cursor, windowOf(scope));
   const glm::vec3 held = ray.origin + picked.distance * ray.direction;
   body_ = picked.body;
   wanted_ = place, aside_ = place - glm::dvec3(held);
   velocity_ = glm::dvec3(0);
   isNewFrame_ = false;
-  tick_ = scope.run.simulation().ticks();
+  tick_ = movedAt_ = scope.run.simulation().ticks();
   holds_ = point_.begin(scope.view.camera(), held, cursor, glm::vec2(0));
   if (holds_ && scope.run.state() == RunState::Running) scope.run.intervene();  // it wakes, or ends a replay
 }
@@ -83,17 +85,19 @@ void BodyGrab::jump(Simulation& simulation, const glm::dvec3& by) {
 
 std::int64_t BodyGrab::follow(Simulation& simulation, std::int64_t due) {
   constexpr auto kAny = std::numeric_limits<std::int64_t>::max();
+  const double dt = simulation.dt();
+  const std::int64_t passed = simulation.ticks() - std::exchange(movedAt_, simulation.ticks());
   if (!holds_) return kAny;
+  jump(simulation, double(passed) * dt * velocity_);
+  const double farthest = simulation.scene().contact.layer / 2;
   if (std::exchange(isNewFrame_, false)) {
-    velocity_ = handVelocity(way(simulation), double(due) * simulation.dt(), simulation.sheet().size());
+    velocity_ = handVelocity(way(simulation), double(due) * dt, simulation.sheet().size());
+    const double perTick = dt * glm::length(velocity_);
+    if (perTick > farthest) velocity_ *= farthest / perTick;
   }
-  const glm::dvec3 perTick = simulation.dt() * velocity_;
-  const double size = glm::length(perTick);
-  if (!(size > 0)) return kAny;
-  const double most = simulation.scene().contact.layer / 2 / size;
-  const auto ticks = static_cast<std::int64_t>(std::clamp(most, 1.0, double(due)));
-  jump(simulation, double(ticks) * perTick);
-  return ticks;
+  const double perTick = dt * glm::length(velocity_);
+  if (!(perTick > 0)) return kAny;
+  return static_cast<std::int64_t>(std::clamp(farthest / perTick, 1.0, double(due)));
 }
 
 }  // namespace tyg

@@ -21,6 +21,9 @@ class BodyGrab {
   /// it: one that lies on the body does.
   static std::optional<PickedBody> bodyAt(const ToolScope& scope, glm::vec2 cursor, std::optional<int> particle);
 
+  /// Whether the place of that body is a live parameter: those of the first ones are.
+  static bool canMove(const Scene& scene, std::size_t body);
+  /// Of one that can be moved.
   void begin(const ToolScope& scope, const PickedBody& picked, glm::vec2 cursor);
   void move(glm::vec2 cursor) { point_.move(cursor); }
   /// Farther by so many notches of the wheel.
@@ -40,11 +43,12 @@ class BodyGrab {
   bool holds_ = false;
   std::size_t body_ = 0;
   HeldPoint point_;
-  glm::dvec3 aside_{0};      ///< m, from the point that is held to Body::at
-  glm::dvec3 wanted_{0};     ///< m, of Body::at
-  glm::dvec3 velocity_{0};   ///< m/s, in this frame
-  bool isNewFrame_ = false;  ///< nothing has been done in it yet
-  std::int64_t tick_ = 0;    ///< of the last frame
+  glm::dvec3 aside_{0};       ///< m, from the point that is held to Body::at
+  glm::dvec3 wanted_{0};      ///< m, of Body::at
+  glm::dvec3 velocity_{0};    ///< m/s, in this frame
+  bool isNewFrame_ = false;   ///< and nothing has been done in it yet
+  std::int64_t tick_ = 0;     ///< of the last frame
+  std::int64_t movedAt_ = 0;  ///< the tick up to which the body has gone its way
 };
 
 }  // namespace tyg

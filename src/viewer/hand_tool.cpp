@@ -52,6 +52,7 @@ class HandTool final : public Tool {
     if (bodyGrab_.holds()) return bodyGrab_.move(cursor);
     if (!isDown_ || glm::distance(cursor, pressedAt_) <= kStillPixels) return;
     isDown_ = waits_ = false;
+    if (body_ && !canMove(scope)) return sayWhatADragDoes(scope);
     start(scope);
     if (body_) {
       bodyGrab_.begin(scope, *body_, pressedAt_);
@@ -67,7 +68,7 @@ class HandTool final : public Tool {
 
   void release(const ToolScope& scope) override {
     if (waits_) push(scope);
-    if (isDown_ && body_) scope.notes.say("A drag moves this body.");
+    if (isDown_ && body_) sayWhatADragDoes(scope);
     letGo(scope);
   }
 
@@ -95,7 +96,9 @@ class HandTool final : public Tool {
     return std::min({push_.follow(simulation), grab_.follow(simulation, due), bodyGrab_.follow(simulation, due)});
   }
 
-  [[nodiscard]] bool actsAt(std::int64_t tick) const override { return push_.actsAt(tick) || grab_.holds(); }
+  [[nodiscard]] bool actsAt(std::int64_t tick) const override {
+    return push_.actsAt(tick) || grab_.holds() || bodyGrab_.holds();
+  }
 
   void restart() override {
     isDown_ = waits_ = false;
@@ -121,6 +124,14 @@ class HandTool final : public Tool {
       scope.notes.say("That particle is pinned: no push moves it. A drag does.");
     }
     start(scope);
+  }
+
+  [[nodiscard]] bool canMove(const ToolScope& scope) const {
+    return BodyGrab::canMove(scope.run.simulation().scene(), body_->body);
+  }
+  void sayWhatADragDoes(const ToolScope& scope) const {
+    scope.notes.say(canMove(scope) ? "A drag moves this body."
+                                   : "Of the bodies of a scene only the first six can be moved.");
   }
 
   /// What is done to a cloth that has never moved is to be seen.

@@ -48,6 +48,8 @@ class ViewControl {
   /// that have come so far apart that the cloth is larger than its motion bounds (by a tenth), but goes back to these.
   /// `positions` (x, y, z of each particle, m) is only asked where the box around the cloth leaves it too.
   void keepInView(const std::function<std::span<const float>()>& positions, float seconds);
+  /// In the place of keepInView(): a camera that follows the cloth stops, as while a hand holds something.
+  void stay() { drift_ = {}; }
   void turn(glm::vec2 pixels);                           ///< the cursor moved so far
   void orbit(glm::vec2 pixels, const glm::vec3& about);  ///< likewise, around a point, m
   void approach(float notches);                          ///< of the wheel

@@ -221,7 +221,11 @@ void Viewer::frame() {
   followCloth();
   if (review_.isOpen()) review_.ghost().moveTo(run_.shown().time());
   view_.followBreaking(run_.showsBreaking(), run_.state() == RunState::Running);
-  if (!tools_.pressed()) view_.keepInView([this] { return run_.shown().positions(); }, static_cast<float>(seconds));
+  if (tools_.pressed()) {
+    view_.stay();
+  } else {
+    view_.keepInView([this] { return run_.shown().positions(); }, static_cast<float>(seconds));
+  }
   run_.updateMargin(scenes_.scene());
   if (!woken_ && !idle()) pace_.measure(seconds, clock_() - now, run_.frameClock());
   woken_ = false;

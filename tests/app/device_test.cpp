@@ -1,5 +1,7 @@
 // --device: what a run on the graphics card reports, what is refused, and what happens where there is no card. Tests
 // that need OpenGL 4.3 are skipped where it is not there.
+#include <fmt/core.h>
+
 #include <sstream>
 
 #include "app/program.h"
@@ -55,7 +57,7 @@ TEST_F(RunOnCard, WritesTheSamplesOfTheProcessor) {
   const Folder folder;
   const std::string what = "run hammock --duration 0.1 --precision float --samples 3 --out ";
   for (const std::string device : {"cpu", "gpu"}) {
-    EXPECT_EQ(tyg(what + (folder / (device + ".csv")).string() + " --device " + device).code, 0);
+    EXPECT_EQ(tyg(fmt::format("{}{} --device {}", what, (folder / (device + ".csv")).string(), device)).code, 0);
   }
   EXPECT_EQ(contentsOf(folder / "gpu.csv"), contentsOf(folder / "cpu.csv"));
   EXPECT_NE(contentsOf(folder / "cpu.csv"), "");
@@ -65,7 +67,7 @@ TEST_F(RunOnCard, DrawsThePictureOfTheProcessor) {
   const Folder folder;
   const std::string what = "render poke --at 0.2 --size 160x120 --precision float --out ";
   for (const std::string device : {"cpu", "gpu"}) {
-    const Outcome drawn = tyg(what + (folder / (device + ".png")).string() + " --device " + device);
+    const Outcome drawn = tyg(fmt::format("{}{} --device {}", what, (folder / (device + ".png")).string(), device));
     EXPECT_EQ(drawn.code, 0) << drawn.err;
   }
   EXPECT_EQ(contentsOf(folder / "gpu.png"), contentsOf(folder / "cpu.png"));
