@@ -17,22 +17,22 @@ constexpr float kGlideSeconds = 0.8F;
 constexpr float kFollowRate = 10;      // 1/s: the camera catches up with a cloth that is out of view
 constexpr float kDriftDecay = 2;       // 1/s, of the camera's speed once it has
 constexpr float kLongestMove = 0.05F;  // s: a stalled frame moves the camera no farther
-constexpr float kInPieces = 1.1F;      // sizes of the motion bounds: a larger cloth has come apart
+constexpr float kInPieces = 1.1F;      // sizes of the motion bounds: a larger cloth has come apart, until it fits again
 constexpr float kAtRest = 1e-3F;       // cloth sizes a second
 
 }  // namespace
 
 void ViewControl::begin(std::vector<glm::vec3> motionBounds) {
   motionBounds_ = std::move(motionBounds);
+  inPieces_ = false;
   if (motionBounds_.empty()) return;
   bounds_ = {motionBounds_.front(), motionBounds_.front()};
   for (const glm::vec3& point : motionBounds_) bounds_ = bounds_.with({point, point});
 }
 
-bool ViewControl::inPieces() const { return cloth_.size() > kInPieces * bounds_.size(); }
-
 void ViewControl::follow(const Box& cloth, std::span<const Body> bodies, bool hasMoved) {
   cloth_ = cloth, bodies_ = bodies;
+  inPieces_ = cloth_.size() > (inPieces_ ? 1 : kInPieces) * bounds_.size();
   const bool turns = hasMoved != std::exchange(hasMoved_, hasMoved);
   if (turns && (hasMoved || away_) && framed_ && !cameraMoved_ && !motionBounds_.empty()) glideTo(motionBounds_);
 }
@@ -94,7 +94,7 @@ void ViewControl::keepInView(const std::function<std::span<const float>()>& posi
     drift_ = {};
     return;
   }
-  if (inPieces()) {
+  if (inPieces_) {
     if (away_) glideTo(motionBounds_);
     return;
   }
@@ -140,7 +140,7 @@ void ViewControl::fitView() {
   part_ = freePart();
   std::vector<glm::vec3> points = inView_;
   addBeside(points);
-  if (inPieces()) camera_.watch(bounds_);  // what fell far away asks for no space around the rest
+  if (inPieces_) camera_.watch(bounds_);  // what fell far away asks for no space around the rest
   camera_.frame(points, part_);
   framed_ = true;
   cameraMoved_ = false;

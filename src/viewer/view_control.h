@@ -81,7 +81,6 @@ class ViewControl {
   };
   void fitView();
   void glideTo(std::vector<glm::vec3> points);
-  [[nodiscard]] bool inPieces() const;
   /// The way of the camera (m) that brings kept_ into what is free of the window.
   [[nodiscard]] glm::vec3 missingWay();
   void movedByHand();
@@ -97,7 +96,7 @@ class ViewControl {
   Insets insets_;
   Box cloth_;
   std::span<const Body> bodies_;
-  bool hasMoved_ = false;
+  bool hasMoved_ = false, inPieces_ = false;
   std::vector<glm::vec3> motionBounds_;
   Box bounds_;                     ///< around them
   std::vector<glm::vec3> inView_;  ///< what was framed, moved on with the camera where that followed the cloth
