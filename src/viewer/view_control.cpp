@@ -15,7 +15,9 @@ namespace {
 
 constexpr float kGlideSeconds = 0.8F;
 constexpr float kFollowRate = 10;      // 1/s: the camera catches up with a cloth that is out of view
-constexpr float kDriftDecay = 2;       // 1/s, of the camera's speed once it has
+constexpr float kDriftDecay = 2;       // 1/s, of the camera's speed while it catches up ...
+constexpr float kRestDecay = 12;       // ... and once it has
+constexpr float kMostMissing = 0.1F;   // cloth sizes: what is missing all at once, as after a drag, is no hurry
 constexpr float kLongestMove = 0.05F;  // s: a stalled frame moves the camera no farther
 constexpr float kInPieces = 1.1F;      // sizes of the motion bounds: a larger cloth has come apart, until it fits again
 constexpr float kAtRest = 1e-3F;       // cloth sizes a second
@@ -110,9 +112,11 @@ void ViewControl::keepInView(const std::function<std::span<const float>()>& posi
   // Its speed grows with the way that is missing and with how long it has been: a cloth that goes on steadily is
   // followed at a small distance, and one that stops lets the camera drift to rest.
   const float time = std::clamp(seconds, 0.0F, kLongestMove);
-  drift_ += time * (kFollowRate * kFollowRate * missing - kDriftDecay * drift_);
+  drift_ +=
+      time * (kFollowRate * kFollowRate * missing - (missing == glm::vec3(0) ? kRestDecay : kDriftDecay) * drift_);
   if (glm::length(drift_) < kAtRest * cloth_.size()) drift_ = {};
-  const glm::vec3 way = time * (drift_ + 2 * kFollowRate * missing);
+  const float length = glm::length(missing), most = kMostMissing * cloth_.size();
+  const glm::vec3 way = time * (drift_ + 2 * kFollowRate * (length > most ? most / length : 1) * missing);
   camera_.place(camera_.eye() + way);
   if (way != glm::vec3(0)) away_ = true;
   for (glm::vec3& point : inView_) point += way;
