@@ -3,13 +3,11 @@
 #include "viewer/body_grab.h"
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <limits>
 #include <utility>
 #include <vector>
 
-#include "core/scene/bodies.h"
 #include "core/simulation/live_parameters.h"
 #include "view/body_shapes.h"
 
@@ -57,19 +55,16 @@ void BodyGrab::begin(const ToolScope& scope, const PickedBody& picked, glm::vec2
   wanted_ = place, aside_ = place - glm::dvec3(held);
   velocity_ = glm::dvec3(0);
   isNewFrame_ = false;
-  tick_ = movedAt_ = scope.run.simulation().ticks();
-  holds_ = point_.begin(scope.view.camera(), held, cursor, glm::vec2(0));
-  if (holds_ && scope.run.state() == RunState::Running) scope.run.intervene();  // it wakes, or ends a replay
+  movedAt_ = scope.run.simulation().ticks();
+  holds_ = point_.begin(scope, held, cursor, glm::vec2(0));
 }
 
 void BodyGrab::frame(const ToolScope& scope) {
-  const RunControl& run = scope.run;
-  if (run.state() == RunState::Frozen || run.seeking() || run.timeline().past) release();
-  if (run.simulation().ticks() < std::exchange(tick_, run.simulation().ticks())) release();
+  if (point_.slips(scope.run)) release();
   if (!holds_ || !scope.view.visible()) return;
   if (const auto held = point_.wanted(scope)) wanted_ = glm::dvec3(*held) + aside_;
   isNewFrame_ = true;
-  if (run.state() != RunState::Running) jump(scope.run.intervene(), way(run.simulation()));
+  if (scope.run.state() != RunState::Running) jump(scope.run.intervene(), way(scope.run.simulation()));
 }
 
 glm::dvec3 BodyGrab::way(const Simulation& simulation) const { return wanted_ - placeOf(simulation.scene(), body_); }

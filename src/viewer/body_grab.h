@@ -47,7 +47,6 @@ class BodyGrab {
   glm::dvec3 wanted_{0};      ///< m, of Body::at
   glm::dvec3 velocity_{0};    ///< m/s, in this frame
   bool isNewFrame_ = false;   ///< and nothing has been done in it yet
-  std::int64_t tick_ = 0;     ///< of the last frame
   std::int64_t movedAt_ = 0;  ///< the tick up to which the body has gone its way
 };
 

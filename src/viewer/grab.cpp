@@ -14,9 +14,7 @@ void Grab::begin(const ToolScope& scope, int particle, glm::vec2 cursor, glm::ve
   particle_ = particle;
   wanted_ = there;
   velocity_ = {};
-  tick_ = scope.run.simulation().ticks();
-  holds_ = point_.begin(scope.view.camera(), there, cursor, aside);
-  if (holds_ && scope.run.state() == RunState::Running) scope.run.intervene();  // it wakes, or ends a replay
+  holds_ = point_.begin(scope, there, cursor, aside);
 }
 
 void Grab::release(const ToolScope& scope) {
@@ -25,9 +23,7 @@ void Grab::release(const ToolScope& scope) {
 }
 
 void Grab::frame(const ToolScope& scope) {
-  const RunControl& run = scope.run;
-  if (run.state() == RunState::Frozen || run.seeking() || run.timeline().past) forget();
-  if (run.simulation().ticks() < std::exchange(tick_, run.simulation().ticks())) forget();
+  if (point_.slips(scope.run)) forget();
   if (!holds_ || !scope.view.visible()) return;
   wanted_ = point_.wanted(scope).value_or(wanted_);
 }

@@ -37,9 +37,8 @@ class Grab {
   bool holds_ = false;
   int particle_ = 0;
   HeldPoint point_;
-  glm::vec3 wanted_{0};    ///< m
-  Vec3 velocity_;          ///< m/s, as last logged
-  std::int64_t tick_ = 0;  ///< of the last frame
+  glm::vec3 wanted_{0};  ///< m
+  Vec3 velocity_;        ///< m/s, as last logged
 };
 
 }  // namespace tyg

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "view/picking.h"
 #include "viewer/tool.h"
@@ -25,10 +26,18 @@ constexpr float kNearest = 0.05F, kFarthest = 20;  // sheet sizes from the eye
 
 glm::vec2 windowOf(const ToolScope& scope) { return {scope.view.pixels().width, scope.view.pixels().height}; }
 
-bool HeldPoint::begin(const Camera& camera, const glm::vec3& point, glm::vec2 cursor, glm::vec2 aside) {
+bool HeldPoint::begin(const ToolScope& scope, const glm::vec3& point, glm::vec2 cursor, glm::vec2 aside) {
+  const Camera& camera = scope.view.camera();
   cursor_ = cursor, aside_ = aside;
   depth_ = glm::dot(point - camera.eye(), camera.forward());
+  tick_ = scope.run.simulation().ticks();
+  if (depth_ > 0 && scope.run.state() == RunState::Running) scope.run.intervene();
   return depth_ > 0;
+}
+
+bool HeldPoint::slips(const RunControl& run) {
+  const bool wentBack = run.simulation().ticks() < std::exchange(tick_, run.simulation().ticks());
+  return wentBack || run.state() == RunState::Frozen || run.seeking() || run.timeline().past;
 }
 
 void HeldPoint::pushAway(float notches) { depth_ *= std::pow(kNotch, std::clamp(notches, -20.0F, 20.0F)); }

@@ -2,14 +2,14 @@
 // Must not know: what is held, windows.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include <glm/glm.hpp>
 
-#include "view/camera.h"
-
 namespace tyg {
 
+class RunControl;
 struct ToolScope;
 
 /// The window that a tool works in, in pixels of the framebuffer.
@@ -17,8 +17,12 @@ glm::vec2 windowOf(const ToolScope& scope);
 
 class HeldPoint {
  public:
-  /// Takes hold of a point (m), which stays `aside` of the cursor (pixels) from then on. Returns false behind the eye.
-  bool begin(const Camera& camera, const glm::vec3& point, glm::vec2 cursor, glm::vec2 aside);
+  /// Takes hold of a point (m), which stays `aside` of the cursor (pixels) from then on: a running cloth wakes, and a
+  /// replay ends. Returns false behind the eye, and then does nothing.
+  bool begin(const ToolScope& scope, const glm::vec3& point, glm::vec2 cursor, glm::vec2 aside);
+  /// Once a frame: whether the hand loses its hold, since the cloth is frozen, shown as it was in the past, or has gone
+  /// back there.
+  bool slips(const RunControl& run);
   void move(glm::vec2 cursor) { cursor_ = cursor; }
   /// Farther by so many notches of the wheel.
   void pushAway(float notches);
@@ -28,6 +32,7 @@ class HeldPoint {
  private:
   glm::vec2 cursor_{0}, aside_{0};  ///< pixels; from the cursor to the point
   float depth_ = 1;                 ///< m, from the eye along the direction in which it looks
+  std::int64_t tick_ = 0;           ///< of the last frame
 };
 
 /// The velocity (m/s) that takes what is held evenly along this way (m), where a frame lasts so many seconds. At most

@@ -15,24 +15,14 @@ class HudTest : public PanelsFixture {
     ImGui::GetIO().DisplaySize = {640, 400};
     viewer_.resize({.width = 640, .height = 400}, {});
   }
-  void drawFrames(int count) {
-    for (int k = 0; k < count; ++k) {
-      now_ += 1.0 / 60;
-      viewer_.frame();
-      panels_.follow(viewer_);
-      ImGui::NewFrame();
-      panels_.draw(viewer_);
-      hud_.draw(viewer_, panels_);
-      ImGui::Render();
-    }
-  }
+  void drawOver() override { hud_.draw(viewer_, panels_); }
   /// Runs a scene that fails until it has.
   void fail() {
     viewer_.scenes().use(loadScene("fail-wet", methodNames()));
     viewer_.perform(InputAction::StartOrPause);
-    for (int k = 0; k < 600 && viewer_.run().state() != RunState::Frozen; ++k) drawFrames(1);
+    for (int k = 0; k < 600 && viewer_.run().state() != RunState::Frozen; ++k) frames(1);
     ASSERT_EQ(viewer_.run().state(), RunState::Frozen);
-    drawFrames(8);
+    frames(8);
   }
   static bool folded(const char* title) { return ImGui::FindWindowByName(title)->Collapsed; }
 
@@ -44,17 +34,17 @@ TEST_F(HudTest, WhatIsSaidOfAFailureGivesWayToAPanelOpenedSinceInALowWindow) {
   const int said = hud_.below(viewer_);
   EXPECT_GT(said, 400 / 2);
   panels_.toggle(InputAction::OpenControl);
-  drawFrames(8);
+  frames(8);
   EXPECT_FALSE(folded("Control"));
   EXPECT_LT(hud_.below(viewer_), said);
   panels_.toggle(InputAction::OpenControl);
-  drawFrames(8);
+  frames(8);
   EXPECT_EQ(hud_.below(viewer_), said);
 }
 
 TEST_F(HudTest, AFailureIsSaidThoughAPanelHasBeenOpenBefore) {
   panels_.toggle(InputAction::OpenControl);
-  drawFrames(8);
+  frames(8);
   EXPECT_FALSE(folded("Control"));
   fail();
   EXPECT_GT(hud_.below(viewer_), 400 / 2);

@@ -28,9 +28,12 @@ class PanelsFixture : public testing::Test {
       panels_.follow(viewer_);
       ImGui::NewFrame();
       panels_.draw(viewer_);
+      drawOver();
       ImGui::Render();
     }
   }
+  /// What a frame shows besides the panels.
+  virtual void drawOver() {}
   bool press(KeyCode key, bool control = false, bool shift = false) {
     return panels_.handle({.kind = Kind::Press, .key = key, .control = control, .shift = shift}, viewer_);
   }
