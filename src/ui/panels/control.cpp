@@ -355,7 +355,9 @@ class ControlPanel final : public Panel {
 
   void drawEdits(const PanelScope& scope, Scene& wanted) {
     Viewer& viewer = scope.viewer;
-    constexpr float kBetween = 0.25F;  // of the text's size, so that all buttons fit
+    constexpr float kBetween = 0.25F;  // of the text's size, so that all buttons fit beside a scroll bar ...
+    constexpr float kWithin = 0.27F;   // ... and between a button's edge and its word
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {kWithin * scope.size, ImGui::GetStyle().FramePadding.y});
     bool edited = false;
     const auto button = [&edited, &scope](const char* text, const char* says, bool usable) {
       if (!usable) ImGui::BeginDisabled();
@@ -371,6 +373,7 @@ class ControlPanel final : public Panel {
     if (button("Reset", "as it was opened", scope.edits.canReset(viewer))) scope.edits.reset(viewer);
     if (edited) wanted = viewer.scenes().scene();
     if (button("Save .toml", "into the folder that tyg was started in", true)) save(viewer);
+    ImGui::PopStyleVar();
     if (open_.draw(scope)) wanted = viewer.scenes().scene();
   }
 
