@@ -1,6 +1,5 @@
-// Each field shows the scene in use; what a person does to it makes a scene that is wanted. A change
-// that restarts the cloth waits until the mouse or the keyboard lets go of its field, one that does not is taken at
-// once.
+// Each field shows the scene in use; what a person does to it makes a scene that is wanted. A change that restarts the
+// cloth waits until the mouse or the keyboard lets go of its field, one that does not is taken at once.
 #include "ui/panels/control.h"
 
 #include <imgui.h>
