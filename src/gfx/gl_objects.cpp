@@ -2,6 +2,7 @@
 #include "gfx/gl_objects.h"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -64,12 +65,17 @@ class Shader {
 
 }  // namespace
 
-GlProgram::GlProgram(std::string_view stem, std::string_view defines) {
+GlProgram::GlProgram(std::string_view stem, std::string_view defines, const char* written) {
   const Shader vertex(GL_VERTEX_SHADER, std::string(stem) + ".vert", defines);
-  const Shader fragment(GL_FRAGMENT_SHADER, std::string(stem) + ".frag", defines);
+  std::optional<Shader> fragment;
+  if (written == nullptr) fragment.emplace(GL_FRAGMENT_SHADER, std::string(stem) + ".frag", defines);
   name_ = glCreateProgram();
   glAttachShader(name_, vertex.name());
-  glAttachShader(name_, fragment.name());
+  if (fragment) {
+    glAttachShader(name_, fragment->name());
+  } else {
+    glTransformFeedbackVaryings(name_, 1, &written, GL_INTERLEAVED_ATTRIBS);
+  }
   glLinkProgram(name_);
   GLint linked = GL_FALSE;
   glGetProgramiv(name_, GL_LINK_STATUS, &linked);

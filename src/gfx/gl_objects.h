@@ -83,12 +83,14 @@ class FramebufferGuard {
   GLint before_ = 0;
 };
 
-/// A vertex and a fragment shader, `STEM.vert` and `STEM.frag` of shaders/.
+/// A vertex and a fragment shader, `STEM.vert` and `STEM.frag` of shaders/; or a vertex shader alone, whose outputs are
+/// written into a buffer.
 class GlProgram {
  public:
-  /// `defines`: lines of GLSL that both begin with, after their version. Throws std::runtime_error with the driver's
-  /// log where they do not compile or link.
-  explicit GlProgram(std::string_view stem, std::string_view defines = {});
+  /// `defines`: lines of GLSL that both begin with, after their version. `written`: the output of a vertex shader
+  /// alone, null with a fragment shader. Throws std::runtime_error with the driver's log where they do not compile or
+  /// link.
+  explicit GlProgram(std::string_view stem, std::string_view defines = {}, const char* written = nullptr);
   ~GlProgram();
   GlProgram(const GlProgram&) = delete;
   GlProgram& operator=(const GlProgram&) = delete;

@@ -33,7 +33,7 @@ void fill(GLenum target, const std::vector<Element>& elements, GLenum usage) {
 void ClothMesh::makeObjects() {
   objects_.emplace();
   glBindVertexArray(objects_->whole.name());
-  glBindBuffer(GL_ARRAY_BUFFER, particles_);
+  glBindBuffer(GL_ARRAY_BUFFER, particles_.buffer());
   useFloats(PositionAttribute, 3, 0, 0);
   glBindBuffer(GL_ARRAY_BUFFER, objects_->normals.name());
   useFloats(NormalAttribute, 3, 0, 0);
@@ -48,7 +48,7 @@ void ClothMesh::makeObjects() {
                          offset(offsetof(ClothVertex, particle)));
 }
 
-void ClothMesh::upload(const Sheet& sheet, std::span<const float> xyz) {
+void ClothMesh::prepare(const Sheet& sheet, const DrawnPositions& particles) {
   if (!objects_) makeObjects();
   if (!surface_) {
     columns_ = sheet.columns;
@@ -56,13 +56,36 @@ void ClothMesh::upload(const Sheet& sheet, std::span<const float> xyz) {
     glBindVertexArray(objects_->whole.name());
     fill(GL_ELEMENT_ARRAY_BUFFER, surface_->triangles(), GL_STATIC_DRAW);
   }
-  surface_->follow(xyz);
   glBindVertexArray(0);
+  if (particles.buffer() != 0 && sheet.missing.none()) return computeNormals(sheet);
+  surface_->follow(particles.xyz());
   glBindBuffer(GL_ARRAY_BUFFER, objects_->normals.name());
   fill(GL_ARRAY_BUFFER, surface_->normals(), GL_STREAM_DRAW);
   if (surface_->pieces().empty()) return;
   glBindBuffer(GL_ARRAY_BUFFER, objects_->pieces.name());
   fill(GL_ARRAY_BUFFER, surface_->pieces(), GL_STREAM_DRAW);
+}
+
+void ClothMesh::computeNormals(const Sheet& sheet) const {
+  const GLuint normals = objects_->normals.name();
+  glBindBuffer(GL_ARRAY_BUFFER, normals);
+  glBufferData(GL_ARRAY_BUFFER, GLsizeiptr{3} * sheet.count() * GLsizeiptr{sizeof(float)}, nullptr, GL_STREAM_COPY);
+  const GlProgram& program = programs_.get("normals", {}, "normal");
+  program.use();
+  program.set("positions", 0);
+  program.set("columns", sheet.columns);
+  program.set("rows", sheet.rows);
+  program.set("scale", 1 / static_cast<float>(sheet.spacing));
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_BUFFER, particles_.texture());
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, normals);
+  glBindVertexArray(objects_->nothing.name());
+  glEnable(GL_RASTERIZER_DISCARD);
+  glBeginTransformFeedback(GL_POINTS);
+  glDrawArrays(GL_POINTS, 0, sheet.count());
+  glEndTransformFeedback();
+  glDisable(GL_RASTERIZER_DISCARD);
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
 }
 
 void ClothMesh::draw(const GlProgram& program) const {

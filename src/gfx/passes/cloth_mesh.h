@@ -3,34 +3,38 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include "gfx/gl_objects.h"
+#include "gfx/passes/positions.h"
+#include "gfx/passes/programs.h"
 #include "view/cloth_surface.h"
+#include "view/drawn_positions.h"
 
 namespace tyg {
 
 class ClothMesh {
  public:
-  /// `particles`: a buffer of x, y and z of every particle, m, which is filled before this is drawn.
-  explicit ClothMesh(GLuint particles) : particles_(particles) {}
+  /// `particles` are filled before this is prepared. It keeps references to both.
+  ClothMesh(const Positions& particles, Programs& programs) : particles_(particles), programs_(programs) {}
 
   /// Its sheet has other springs from now on.
   void changeSheet() { surface_.reset(); }
-  /// Works out the surface of a sheet with cells whose particles are here, m, and uploads it. Allocates nothing where
-  /// it has done so for these springs.
-  void upload(const Sheet& sheet, std::span<const float> xyz);
+  /// Works out the surface of a sheet with cells whose particles are here. Normals of particles in a buffer are worked
+  /// out on the GPU, unless springs have gone. Allocates nothing where it has done so for these springs.
+  void prepare(const Sheet& sheet, const DrawnPositions& particles);
   /// With the program in use, whose vertex shader has the inputs of surface.vert.
   void draw(const GlProgram& program) const;
 
  private:
   void makeObjects();
+  void computeNormals(const Sheet& sheet) const;
 
-  GLuint particles_;
+  const Positions& particles_;
+  Programs& programs_;
   int columns_ = 0;
   std::optional<ClothSurface> surface_;
   struct Objects {
-    GlVertexArray whole, beside;
+    GlVertexArray whole, beside, nothing;
     GlBuffer triangles, normals, pieces;
   };
   std::optional<Objects> objects_;  ///< made when a surface is first shown

@@ -22,9 +22,9 @@ struct Canvas {
 
   Sheet sheet;
   Programs& programs;
-  Positions positions{sheet.count()};   ///< of the particles, uploaded once a frame before the first pass
-  ClothMesh cloth{positions.buffer()};  ///< uploaded once a frame before the first pass, where a surface is shown
-  BodyMeshes bodies;                    ///< of the options, where these are not drawn over another picture
+  Positions positions{sheet.count()};    ///< of the particles, uploaded once a frame before the first pass
+  ClothMesh cloth{positions, programs};  ///< prepared once a frame before the first pass, where a surface is shown
+  BodyMeshes bodies;                     ///< of the options, where these are not drawn over another picture
   LineDrawing lines{programs};
   DiscDrawing discs{programs};
 

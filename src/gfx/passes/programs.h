@@ -13,16 +13,18 @@ namespace tyg {
 class Programs {
  public:
   /// Made when it is first asked for; see GlProgram. Allocates nothing for one that has been.
-  [[nodiscard]] const GlProgram& get(std::string_view stem, std::string_view defines = {}) {
+  [[nodiscard]] const GlProgram& get(std::string_view stem, std::string_view defines = {},
+                                     const char* written = nullptr) {
     for (const Entry& entry : entries_) {
       if (entry.stem == stem && entry.defines == defines) return entry.program;
     }
-    return entries_.emplace_back(stem, defines).program;
+    return entries_.emplace_back(stem, defines, written).program;
   }
 
  private:
   struct Entry {
-    Entry(std::string_view of, std::string_view with) : stem(of), defines(with), program(of, with) {}
+    Entry(std::string_view of, std::string_view with, const char* written)
+        : stem(of), defines(with), program(of, with, written) {}
     std::string stem, defines;
     GlProgram program;
   };

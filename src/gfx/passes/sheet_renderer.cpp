@@ -83,7 +83,7 @@ void SheetRenderer::draw(const DrawnPositions& positions, const Camera& camera, 
   const Frame frame = makeFrame(positions, camera, pixels, options, shown ? &*push : nullptr);
   setState(pixels);
   positions.buffer() != 0 ? canvas_->positions.copy(positions.buffer()) : canvas_->positions.upload(positions.xyz());
-  if (canvas_->showsSurface(options)) canvas_->cloth.upload(canvas_->sheet, positions.xyz());
+  if (canvas_->showsSurface(options)) canvas_->cloth.prepare(canvas_->sheet, positions);
   if (!options.over) canvas_->bodies.follow(options.bodies);
   for (const std::unique_ptr<Pass>& pass : passes_) pass->prepare(frame);
   if (!options.over) {
