@@ -49,6 +49,8 @@ FrameLoop::FrameLoop(OpeningWindow& opening, Viewer& viewer, WindowMemory& memor
       opened_(wallClock()),
       stale_(kFramesToSettle) {
   recall();
+  // Whoever asks for a position has the state brought from a card that computes in the window's context.
+  window_.beforeContextEnds([this] { (void)viewer_.run().simulation().position(0); });
 }
 
 void FrameLoop::recall() {
@@ -81,6 +83,7 @@ std::string FrameLoop::run() {
   while (!window_.closeRequested() && !viewer_.leaving() && !interrupted()) {
     const double began = wallClock();
     takeEvents();
+    if (window_.closeRequested()) break;  // perhaps without a context from now on
     const Insets taken = insets();
     if (taken != viewer_.view().insets()) stale_ = kFramesToSettle;
     viewer_.resize(window_.framebuffer(), taken);

@@ -70,6 +70,7 @@ class NoWindow final : public Window {
   [[nodiscard]] Extent framebuffer() const override { return size_; }
   [[nodiscard]] double contentScale() const override { return 1; }
   [[nodiscard]] bool closeRequested() const override { return false; }
+  [[nodiscard]] Finder finder() const override { return nullptr; }
   void attachOverlay() override { ImGui::GetIO().DisplaySize = {float(size_.width), float(size_.height)}; }
   void beginOverlayFrame() override {
     ImGui::GetIO().DeltaTime = 1.0F / 60;

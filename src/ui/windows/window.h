@@ -2,6 +2,7 @@
 // freeglut. Must not know: the cloth, what a key means, how anything is drawn.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -44,10 +45,12 @@ class Window {
   [[nodiscard]] virtual Extent framebuffer() const = 0;
   [[nodiscard]] virtual double contentScale() const = 0;  ///< of texts on this screen; 1 on an ordinary one
   [[nodiscard]] virtual bool closeRequested() const = 0;  ///< the window's own close button was used
-  /// Finds the functions of its context by their names. Null where the context may end before this does, as freeglut's
-  /// ends when the window is closed.
+  /// Finds the functions of its context by their names.
   using Finder = void (*(*)(const char* name))();
-  [[nodiscard]] virtual Finder finder() const { return nullptr; }
+  [[nodiscard]] virtual Finder finder() const = 0;
+  /// `work` is done before the context ends, where that may happen while this lives: freeglut's ends within events(),
+  /// when the window is closed.
+  virtual void beforeContextEnds(std::function<void()> /*work*/) {}
 
   // The overlay's input and clock, for ImGui: attach after ImGui's context exists, detach before it goes. A frame
   // begins after ImGui's renderer has begun its own.

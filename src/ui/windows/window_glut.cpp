@@ -13,6 +13,8 @@
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
+#include <utility>
 #include <vector>
 
 #include "ui/windows/glut_system.h"
@@ -67,6 +69,7 @@ class GlutWindow final : public Window {
     events_.clear();
     for (;;) {
       glutMainLoopEvent();
+      if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
       watchFocus();
       const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
       if (closed_ || !events_.empty() || left.count() <= 0) return events_;
@@ -88,6 +91,8 @@ class GlutWindow final : public Window {
   }
   [[nodiscard]] double contentScale() const override { return 1; }
   [[nodiscard]] bool closeRequested() const override { return closed_; }
+  [[nodiscard]] Finder finder() const override { return GlutSystem::find; }
+  void beforeContextEnds(std::function<void()> work) override { beforeContextEnds_ = std::move(work); }
 
   void attachOverlay() override {
     ImGui_ImplGLUT_Init();
@@ -131,7 +136,7 @@ class GlutWindow final : public Window {
     });
     glutWindowStatusFunc([](int status) { theWindow->hidden_ = status == GLUT_HIDDEN; });
     glutCloseFunc([] {
-      if (theWindow != nullptr) theWindow->closed_ = true;
+      if (theWindow != nullptr) theWindow->close();
     });
     glutKeyboardFunc([](unsigned char key, int x, int y) {
       theWindow->tellOverlay(key, true, [&] { ImGui_ImplGLUT_KeyboardFunc(key, x, y); });
@@ -159,6 +164,14 @@ class GlutWindow final : public Window {
     glutPassiveMotionFunc(onMove);
   }
 
+  void close() {
+    closed_ = true;
+    try {
+      if (beforeContextEnds_) beforeContextEnds_();
+    } catch (...) {
+      failure_ = std::current_exception();
+    }
+  }
   static void onMove(int x, int y) {
     theWindow->inputs_.move(float(x), float(y));
     if (theWindow->overlay_ && !OverlayInputs::needed()) ImGui_ImplGLUT_MotionFunc(x, y);
@@ -235,6 +248,8 @@ class GlutWindow final : public Window {
 
   GlutSystem system_;
   int window_ = 0;
+  std::function<void()> beforeContextEnds_;
+  std::exception_ptr failure_;  // of that
   std::vector<WindowEvent> events_;
   OverlayInputs inputs_;
   std::uintptr_t focus_ = 0;
