@@ -40,6 +40,7 @@ fi
 
 # Whoever reads the messages has gone; then the display goes, and Xlib ends the program. The display is one of its own: that
 # of xvfb-run must stay until the end. What is on the graphics card, where there is one, has to come back first.
+: >"$work/display"  # which is looked at before Xvfb has begun
 Xvfb -displayfd 3 -screen 0 "${screen}x24" -nolisten tcp 3>"$work/display" 2>/dev/null &
 server=$!
 trap 'kill "$server" 2>/dev/null || true; cleanup' EXIT
