@@ -241,7 +241,8 @@ void addRunCommand(CLI::App& app, Action& action) {
   command.flag("--json", options->json, "Print one JSON object instead of the summary, after a failure too");
   command.flag("--verbose", options->verbose, "First print on standard error what is simulated, and how");
   command.footer(kExamples);
-  command.onChosen([options, scene, replay, &action] {
+  command.onChosen([=, &action] {
+    if (samples.given() && !out.given()) std::cerr << "tyg run: without --out, --samples is not used" << std::endl;
     if (!scene.given() && replay.given()) options->scene.scene.clear();  // the log's own
     action = [options] { return run(*options); };
   });
