@@ -80,6 +80,21 @@ TEST_F(WholeResults, PathsThatCannotBeUsedAreWrongInputWhateverTheCommand) {
   EXPECT_TRUE(fs::is_symlink(folder_ / "first"));
 }
 
+/// Each of them fails at once after it has said so.
+TEST_F(WholeResults, AreAnnouncedWithTheirSizeWhereThatIsAGigabyteOrMore) {
+  const std::string past = " curtain --integrator rk4 --dt 1 --duration 1e7 --out ";
+  for (const auto& [command, size] :
+       {std::pair{"run" + past + "a.csv --samples 100000", "a.csv will take about 5.6 GB"},
+        {"export" + past + "a.usda --fps 0.01", "a.usda will take about 2.8 GB"},
+        {"export" + past + "frames --fps 0.01", "frames will take about 5.2 GB"},
+        {"reference" + past + "a.csv --samples 100000", "a.csv will take about 3.1 GB"}}) {
+    const Outcome outcome = run(command);
+    EXPECT_NE(outcome.code, 0);
+    EXPECT_TRUE(holds(outcome.err, size)) << command << outcome.err;
+  }
+  EXPECT_FALSE(holds(run("run spring --duration 0.1 --out a.csv").err, "will take"));
+}
+
 TEST_F(WholeResults, NoMessageGetsIntoAFileWhereStandardFilesAreClosed) {
   for (const std::string closed : {"2>&-", ">&-", "<&- >&- 2>&-"}) {
     const std::string command = "cd '" + folder_.path().string() +

@@ -198,7 +198,11 @@ int run(const RunOptions& options) {
   if (log) scene = fitted(std::move(scene), options.scene, *log);
   takeFloatOnCard(scene, options.device, options.scene.precision || log);
   std::optional<SampleFile> file;
-  if (options.out) file.emplace(*options.out);
+  if (options.out) {
+    constexpr double kBytesOfParticle = 140;
+    file.emplace(*options.out);
+    sayLargeOutput("tyg run", *options.out, scene, std::size_t(options.samples), kBytesOfParticle);
+  }
 
   const ChosenDevice chosen = chosenDevice(options.device, scene, options.scene.threads.value_or(0), "tyg run");
   auto run = std::make_unique<Run>(scene, options, chosen.device);
