@@ -54,6 +54,22 @@ TEST_F(WholeResults, AnInterruptEndsAProgramThatHangs) {
   }
 }
 
+TEST_F(WholeResults, AnInterruptAndAFailureLeaveNoEmptyFolder) {
+  pretend("interrupted", "timeout --foreground -s INT 0.5 \"$@\"\n");
+  for (const std::string command : {"chart curtain --duration 1000 --out a/b", "stability curtain --out a/b",
+                                    "diet curtain --duration 1000 --out a/b", "plot curtain --duration 1000 --out a/b",
+                                    "render curtain --to 1000 --fps 1 --out a/b"}) {
+    const Outcome outcome =
+        tyg(command, "cd '" + folder_.path().string() + "' && '" + (bin_ / "interrupted").string() + "'");
+    EXPECT_TRUE(outcome.code == 130 || outcome.code == 124) << command << outcome.err;
+    EXPECT_EQ(folder_.fileCount(), 0U) << command;
+  }
+  EXPECT_EQ(run("render curtain --dt 1 --out a").code, 1);
+  EXPECT_EQ(run("plot spring --duration 0.1 --out a/b").code, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "a/b/plot.csv"));
+  EXPECT_EQ(folder_.fileCount(), 1U);
+}
+
 TEST_F(WholeResults, PicturesGoWhereLinksLead) {
   const Folder elsewhere;
   fs::create_symlink(elsewhere / "real.svg", folder_ / "plot.svg");
