@@ -172,7 +172,7 @@ int sayNoReference(const Reference& reference) {
 WorkChart chartOf(const Reference& reference, const Study& study, const Charting& charting) {
   WorkChart chart;
   chart.rows = study.rows;
-  chart.title = reference.scene.title + ": speed against accuracy";
+  chart.scene = reference.scene.title;
   chart.notes = chartNotes(reference, machineName(), charting.threads());
   if (!charting.tears().empty()) chart.notes.push_back(charting.tears());
   if (study.tornElsewhere > 0) {
