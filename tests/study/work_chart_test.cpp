@@ -103,7 +103,7 @@ TEST(WorkChart, TellsAHorizonThatIsShorterThanTheRun) {
   WorkChart chart = someChart();
   EXPECT_FALSE(holds(workChartScript(chart), "T* = "));
   chart.rows[1].horizon = 0.25;
-  EXPECT_TRUE(holds(workChartScript(chart), "in double T* = 0.25 s of 1 s for 1 of 3 runs"));
+  EXPECT_TRUE(holds(workChartScript(chart), "1 of 3 runs in double from T* = 0.25 s of 1 s on"));
 }
 
 TEST(WorkChart, TheWorkOfAFailedRunIsThatOfTheTimeItReached) {
