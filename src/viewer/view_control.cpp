@@ -19,9 +19,8 @@ constexpr float kDriftDecay = 2;       // 1/s, of the camera's speed while it ca
 constexpr float kRestDecay = 12;       // ... and once it has
 constexpr float kMostMissing = 0.1F;   // cloth sizes: what is missing all at once, as after a drag, is no hurry
 constexpr float kLongestMove = 0.05F;  // s: a stalled frame moves the camera no farther
-constexpr float kInPieces =
-    1.1F;  // sizes of the motion bounds: a torn cloth that is larger has come apart, until it fits again
-constexpr float kAtRest = 1e-3F;  // cloth sizes a second
+constexpr float kInPieces = 1.1F;      // sizes of the motion bounds: a larger torn cloth has come apart, until it fits
+constexpr float kAtRest = 1e-3F;       // cloth sizes a second
 
 }  // namespace
 
