@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/forces/terms/contact.h"
 #include "core/simulation/live_parameters.h"
 #include "view/body_shapes.h"
 
@@ -16,14 +17,16 @@ namespace {
 
 constexpr float kLiesOn = 2;  // spacings that a particle which lies on a body may be farther from the eye than the body
 
-glm::dvec3 placeOf(const Scene& scene, std::size_t body) {
-  const Vec3& at = scene.bodies[body].at;
-  return {at.x, at.y, at.z};
-}
+glm::dvec3 pointAt(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-Scene withBodyAt(Scene scene, std::size_t body, const glm::dvec3& place) {
+Scene withBodyMoved(Scene scene, std::size_t body, const glm::dvec3& by) {
+  const glm::dvec3 place = pointAt(scene.bodies[body].at) + by;
   scene.bodies[body].at = {place.x, place.y, place.z};
   return scene;
+}
+
+glm::dvec3 placeNow(const Simulation& simulation, std::size_t body) {
+  return pointAt(placeOf(simulation.scene(), body, simulation.time()));
 }
 
 }  // namespace
@@ -43,12 +46,11 @@ std::optional<PickedBody> BodyGrab::bodyAt(const ToolScope& scope, glm::vec2 cur
 }
 
 bool BodyGrab::canMove(const Scene& scene, std::size_t body) {
-  return !sameLiveParameters(scene, withBodyAt(scene, body, placeOf(scene, body) + glm::dvec3(1)));
+  return !sameLiveParameters(scene, withBodyMoved(scene, body, glm::dvec3(1)));
 }
 
 void BodyGrab::begin(const ToolScope& scope, const PickedBody& picked, glm::vec2 cursor) {
-  const Scene& scene = scope.run.simulation().scene();
-  const glm::dvec3 place = placeOf(scene, picked.body);
+  const glm::dvec3 place = placeNow(scope.run.simulation(), picked.body);
   const Ray ray = sightLine(scope.view.camera(), cursor, windowOf(scope));
   const glm::vec3 held = ray.origin + picked.distance * ray.direction;
   body_ = picked.body;
@@ -67,12 +69,12 @@ void BodyGrab::frame(const ToolScope& scope) {
   if (scope.run.state() != RunState::Running) jump(scope.run.intervene(), way(scope.run.simulation()));
 }
 
-glm::dvec3 BodyGrab::way(const Simulation& simulation) const { return wanted_ - placeOf(simulation.scene(), body_); }
+glm::dvec3 BodyGrab::way(const Simulation& simulation) const { return wanted_ - placeNow(simulation, body_); }
 
 void BodyGrab::jump(Simulation& simulation, const glm::dvec3& by) {
   if (by == glm::dvec3(0)) return;
   try {
-    simulation.useLiveParameters(withBodyAt(simulation.scene(), body_, placeOf(simulation.scene(), body_) + by));
+    simulation.useLiveParameters(withBodyMoved(simulation.scene(), body_, by));
   } catch (const std::exception&) {
     release();  // so far away that no number is allowed
   }
@@ -86,7 +88,9 @@ std::int64_t BodyGrab::follow(Simulation& simulation, std::int64_t due) {
   jump(simulation, double(passed) * dt * velocity_);
   const double farthest = simulation.scene().contact.layer / 2;
   if (std::exchange(isNewFrame_, false)) {
-    velocity_ = handVelocity(way(simulation), double(due) * dt, simulation.sheet().size());
+    const Scene& scene = simulation.scene();
+    const Vec3 itsOwn = motionOf(scene, scene.bodies[body_], simulation.time(), 0).velocity;
+    velocity_ = handVelocity(way(simulation), double(due) * dt, simulation.sheet().size()) - pointAt(itsOwn);
     const double perTick = dt * glm::length(velocity_);
     if (perTick > farthest) velocity_ *= farthest / perTick;
   }

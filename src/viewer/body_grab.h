@@ -1,5 +1,5 @@
-// A body follows the cursor in a plane that faces the viewer, until it is let go. It ends up where its place at the
-// start of the run is another one: a live parameter, as the control panel sets it.
+// A body follows the cursor in a plane that faces the viewer, until it is let go, whatever motion of its own it has. It
+// ends up where its place at the start of the run is another one: a live parameter, as the control panel sets it.
 // Must not know: windows, which tool grabs.
 #pragma once
 
@@ -36,16 +36,16 @@ class BodyGrab {
   [[nodiscard]] bool holds() const { return holds_; }
 
  private:
-  /// From where its place is to where it is wanted, m.
+  /// From where it is to where it is wanted, m.
   [[nodiscard]] glm::dvec3 way(const Simulation& simulation) const;
   void jump(Simulation& simulation, const glm::dvec3& by);
 
   bool holds_ = false;
   std::size_t body_ = 0;
   HeldPoint point_;
-  glm::dvec3 aside_{0};       ///< m, from the point that is held to Body::at
-  glm::dvec3 wanted_{0};      ///< m, of Body::at
-  glm::dvec3 velocity_{0};    ///< m/s, in this frame
+  glm::dvec3 aside_{0};       ///< m, from the point that is held to the body's place
+  glm::dvec3 wanted_{0};      ///< m, of the body's place
+  glm::dvec3 velocity_{0};    ///< m/s, by the hand in this frame
   bool isNewFrame_ = false;   ///< and nothing has been done in it yet
   std::int64_t movedAt_ = 0;  ///< the tick up to which the body has gone its way
 };

@@ -8,6 +8,7 @@
 #include <exception>
 #include <utility>
 
+#include "core/simulation/energy_watch.h"
 #include "study/limits/fast_contact.h"
 #include "tyg/methods.h"
 
@@ -20,9 +21,6 @@ constexpr double kSimulatingSeconds = 0.012;
 constexpr double kBackSeconds = 0.25;
 /// A replay shows this much again, simulated s.
 constexpr double kReplaySeconds = 1;
-
-/// As Simulation::check() says.
-constexpr std::int64_t kStepsBetweenChecks = 64;
 
 }  // namespace
 

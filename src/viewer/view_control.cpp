@@ -19,7 +19,7 @@ constexpr float kDriftDecay = 2;       // 1/s, of the camera's speed while it ca
 constexpr float kRestDecay = 12;       // ... and once it has
 constexpr float kMostMissing = 0.1F;   // cloth sizes: what is missing all at once, as after a drag, is no hurry
 constexpr float kLongestMove = 0.05F;  // s: a stalled frame moves the camera no farther
-constexpr float kInPieces = 1.1F;      // sizes of the motion bounds: a larger cloth has come apart, until it fits again
+constexpr float kInPieces = 1.1F;      // sizes of the motion bounds: a larger torn cloth has come apart, until it fits
 constexpr float kAtRest = 1e-3F;       // cloth sizes a second
 
 }  // namespace
@@ -32,9 +32,9 @@ void ViewControl::begin(std::vector<glm::vec3> motionBounds) {
   for (const glm::vec3& point : motionBounds_) bounds_ = bounds_.with({point, point});
 }
 
-void ViewControl::follow(const Box& cloth, std::span<const Body> bodies, bool hasMoved) {
+void ViewControl::follow(const Box& cloth, std::span<const Body> bodies, bool hasMoved, bool isWhole) {
   cloth_ = cloth, bodies_ = bodies;
-  inPieces_ = cloth_.size() > (inPieces_ ? 1 : kInPieces) * bounds_.size();
+  inPieces_ = !isWhole && cloth_.size() > (inPieces_ ? 1 : kInPieces) * bounds_.size();
   const bool turns = hasMoved != std::exchange(hasMoved_, hasMoved);
   if (turns && (hasMoved || away_) && framed_ && !cameraMoved_ && !motionBounds_.empty()) glideTo(motionBounds_);
 }

@@ -29,8 +29,9 @@ class ViewControl {
   /// A new cloth, whose motion stays within these points (m): once it moves, the view glides to where all of them are
   /// seen, unless the person has moved the camera.
   void begin(std::vector<glm::vec3> motionBounds);
-  /// Where the cloth and the bodies, which are kept by reference, are now, and whether time has passed since the start.
-  void follow(const Box& cloth, std::span<const Body> bodies, bool hasMoved);
+  /// Where the cloth and the bodies, which are kept by reference, are now, whether time has passed since the start, and
+  /// whether nothing of the cloth is cut or torn.
+  void follow(const Box& cloth, std::span<const Body> bodies, bool hasMoved, bool isWhole);
 
   /// Size of the window, and its insets. The first one that is not empty frames the cloth, and what is beside it, in
   /// the rest (a fifth of each side in any case), as frameCloth() does. So do later ones, until the person moves the
@@ -45,8 +46,8 @@ class ViewControl {
   void followBreaking(bool breaks, bool runs);
   /// Once a frame after that, of a cloth that has moved: where the particles leave what is free of the window, the
   /// camera goes along with them, no farther than it must, unless the person has moved it. It does not follow parts
-  /// that have come so far apart that the cloth is larger than its motion bounds (by a tenth), but goes back to these.
-  /// `positions` (x, y, z of each particle, m) is only asked where the box around the cloth leaves it too.
+  /// of a torn cloth that have come so far apart that it is larger than its motion bounds (by a tenth), but goes back
+  /// to these. `positions` (x, y, z of each particle, m) is only asked where the box around the cloth leaves it too.
   void keepInView(const std::function<std::span<const float>()>& positions, float seconds);
   /// In the place of keepInView(): a camera that follows the cloth stops, as while a hand holds something.
   void stay() { drift_ = {}; }

@@ -50,7 +50,8 @@ void Viewer::runBegan() {
 
 void Viewer::followCloth() {
   placeBodies(run_.simulation().scene(), run_.shown().time(), bodies_);
-  view_.follow(run_.shown().box(), bodies_, run_.simulation().ticks() > 0);
+  const Simulation& simulation = run_.simulation();
+  view_.follow(run_.shown().box(), bodies_, simulation.ticks() > 0, simulation.sheet().missing.none());
 }
 
 void Viewer::handle(const WindowEvent& event) {

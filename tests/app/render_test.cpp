@@ -95,6 +95,20 @@ TEST(Render, RefusesOutputsThatDoNotFitBeforeItComputes) {
   EXPECT_EQ(folder.fileCount(), 0U);
 }
 
+TEST(Render, AndExportSayWhereTheirFramesGoPastTheEndOfTheRun) {
+  const Folder folder;
+  const std::string picture = "render curtain --duration 0.1 --size 64x48 --out " + (folder / "a.png").string();
+  const std::string frames = "export curtain --duration 0.1 --out " + (folder / "a.usda").string();
+  for (const std::string& past : {picture + " --at 0.25", frames + " --to 0.25"}) {
+    const Outcome outcome = tyg(past);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(holds(outcome.err, "0.25 s is after the end of the run at 0.1 s")) << outcome.err;
+  }
+  for (const std::string& within : {picture + " --at 0.1", frames + " --to 0.1", frames}) {
+    EXPECT_FALSE(holds(tyg(within).err, "after the end")) << within;
+  }
+}
+
 TEST(Render, MakesAMovie) {
   const Folder folder;
   const Outcome outcome = tyg("render curtain --from 0 --to 0.1 --size 64x48 --out " + (folder / "a.mp4").string());

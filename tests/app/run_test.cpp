@@ -289,6 +289,13 @@ TEST(Run, SamplesAreWrittenAtEquallySpacedTimes) {
   EXPECT_FALSE(std::getline(rows, row));
 }
 
+TEST(Run, SaysWhereSamplesHaveNoFileToGoTo) {
+  const Outcome outcome = tyg("run spring --duration 0.1 --samples 4 --json");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.err, "tyg run: without --out, --samples is not used\n");
+  EXPECT_EQ(tyg("run spring --duration 0.1 --json").err, "");
+}
+
 TEST(Run, SampledNumbersReadBackToTheSameBits) {
   const Folder folder;
   const std::string file = (folder / "rows.csv").string();

@@ -54,6 +54,22 @@ TEST_F(WholeResults, AnInterruptEndsAProgramThatHangs) {
   }
 }
 
+TEST_F(WholeResults, AnInterruptAndAFailureLeaveNoEmptyFolder) {
+  pretend("interrupted", "timeout --foreground -s INT 0.5 \"$@\"\n");
+  for (const std::string command : {"chart curtain --duration 1000 --out a/b", "stability curtain --out a/b",
+                                    "diet curtain --duration 1000 --out a/b", "plot curtain --duration 1000 --out a/b",
+                                    "render curtain --to 1000 --fps 1 --out a/b"}) {
+    const Outcome outcome =
+        tyg(command, "cd '" + folder_.path().string() + "' && '" + (bin_ / "interrupted").string() + "'");
+    EXPECT_TRUE(outcome.code == 130 || outcome.code == 124) << command << outcome.err;
+    EXPECT_EQ(folder_.fileCount(), 0U) << command;
+  }
+  EXPECT_EQ(run("render curtain --dt 1 --out a").code, 1);
+  EXPECT_EQ(run("plot spring --duration 0.1 --out a/b").code, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "a/b/plot.csv"));
+  EXPECT_EQ(folder_.fileCount(), 1U);
+}
+
 TEST_F(WholeResults, PicturesGoWhereLinksLead) {
   const Folder elsewhere;
   fs::create_symlink(elsewhere / "real.svg", folder_ / "plot.svg");
@@ -78,6 +94,21 @@ TEST_F(WholeResults, PathsThatCannotBeUsedAreWrongInputWhateverTheCommand) {
   }
   EXPECT_EQ(run("run spring --out first").code, 2);
   EXPECT_TRUE(fs::is_symlink(folder_ / "first"));
+}
+
+/// Each of them fails at once after it has said so.
+TEST_F(WholeResults, AreAnnouncedWithTheirSizeWhereThatIsAGigabyteOrMore) {
+  const std::string past = " curtain --integrator rk4 --dt 1 --duration 1e7 --out ";
+  for (const auto& [command, size] :
+       {std::pair{"run" + past + "a.csv --samples 100000", "a.csv will take about 5.6 GB"},
+        {"export" + past + "a.usda --fps 0.01", "a.usda will take about 2.8 GB"},
+        {"export" + past + "frames --fps 0.01", "frames will take about 5.2 GB"},
+        {"reference" + past + "a.csv --samples 100000", "a.csv will take about 3.1 GB"}}) {
+    const Outcome outcome = run(command);
+    EXPECT_NE(outcome.code, 0);
+    EXPECT_TRUE(holds(outcome.err, size)) << command << outcome.err;
+  }
+  EXPECT_FALSE(holds(run("run spring --duration 0.1 --out a.csv").err, "will take"));
 }
 
 TEST_F(WholeResults, NoMessageGetsIntoAFileWhereStandardFilesAreClosed) {

@@ -108,7 +108,7 @@ TEST(Bodies, NamesAreTheirOwn) {
          "bodies.toml:16: key body.name: found \"" + std::string(name) + "\", allowed a name that no particle");
   }
   said(scene + "[[move]]\nwhat = 'bal'\n" + kMove,
-       "bodies.toml:21: key move.what: found \"bal\", allowed \"top-left\"");
+       "bodies.toml:21: key move.what: found \"bal\", the name of nothing in this scene, allowed \"top-left\"");
   const std::string message = refusalOf(scene + "[[move]]\nwhat = 'bal'\n" + kMove);
   EXPECT_NE(message.find("\"ball\", [column, row]; did you mean 'ball'?"), std::string::npos) << message;
   said(scene + "[[move]]\nwhat = ['ball']\n" + kMove,

@@ -61,6 +61,21 @@ TEST(SceneRange, RefusesWhatOverflowsOrVanishesAndNamesTheKey) {
   }
 }
 
+TEST(SceneRange, IsSaidOfTheLineOfASceneFile) {
+  const std::string sizes = ", allowed are numbers of a size from 1e-30 to 1e+30";
+  EXPECT_EQ(refusalOf(std::string(kScene) + "[world]\ndrag = 1e31\n"),
+            "a.toml:12: key world.drag: found 1e+31" + sizes);
+  EXPECT_EQ(refusalOf(std::string(kScene) + "[world]\ndrag = 1e-31\n"),
+            "a.toml:12: key world.drag: found 1e-31" + sizes);
+  EXPECT_EQ(refusalOf(std::string(kScene) + "[world]\ngravity = [0, -1e31, 0]\n"),
+            "a.toml:12: key world.gravity: found [0, -1e+31, 0]" + sizes);
+  EXPECT_EQ(refusalOf(std::string(kScene) + "[[cut]]\nfrom = [0, 1e31]\nto = [1, 0]\nat = 0\n"),
+            "a.toml:12: key cut.from: found [0, 1e+31]" + sizes);
+  for (const char* taken : {"[world]\ngravity = [1e-31, 0, 0]\n", "tolerance = 1e-31\n"}) {
+    EXPECT_EQ(refusalOf(std::string(kScene) + taken), "");
+  }
+}
+
 TEST(SceneRange, HoldsForChangesOfARunningSimulationToo) {
   Scene scene = emptyWorld(2, 2);
   Simulation simulation(scene, findMethod("rk4"));

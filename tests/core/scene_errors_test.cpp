@@ -104,6 +104,8 @@ TEST(SceneErrors, NameWhatWindsAndMotionsLack) {
            {wind + "velocity = [0, 0, 0]\ngust = [1, 0, 0]\nwavelength = 1\n", "without a velocity"},
            {wind + "velocity = [1, 0, 0]\nwavelength = 0\n", "wind.wavelength"},
            {"[[move]]\nwhat = \"middle\"\nvelocity = [1, 0, 0]\nat = 0\nfor = 1\n", "which is not pinned"},
+           {"[[move]]\nwhat = \"ball\"\nvelocity = [1, 0, 0]\nat = 0\nfor = 1\n",
+            "\"ball\", the name of nothing in this scene, allowed \"top-left\""},
            {"[[move]]\nwhat = \"topleft\"\nvelocity = [1, 0, 0]\nat = 0\nfor = 1\n", "did you mean 'top-left'"},
            {"[[move]]\nwhat = \"top\"\nvelocity = [1, 0, 0]\nat = 0\n", "move.for"},
        }) {

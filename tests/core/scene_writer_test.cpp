@@ -64,9 +64,10 @@ TEST(SceneWriter, ThePictureOfALookIsBesideItsSceneAndIsFoundFromACopyElsewhere)
 
 TEST(SceneWriter, NumbersThatTomlHoldsAsIntegersOrFloatsComeBack) {
   Scene scene = emptyWorld(2, 2);
-  scene.structural = {123456789012345678901.0, std::numeric_limits<double>::denorm_min()};
+  scene.structural = {123456789012345678901.0, 1e-30};
   scene.shear = {1e15, 9007199254740993.0};
-  scene.gravity = {-1e300, 1e-300, 0.1 + 0.2};
+  scene.gravity = {-1e30, 1e-300, 0.1 + 0.2};
+  scene.tolerance = std::numeric_limits<double>::denorm_min();
   EXPECT_EQ(readBack(scene), scene) << sceneToToml(scene);
 }
 

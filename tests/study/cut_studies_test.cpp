@@ -70,7 +70,7 @@ TEST(TearingStudies, EndBeforeOtherSpringsBreakAndSaySo) {
   EXPECT_LT(tearing.scene.duration, *tearing.differs);
   EXPECT_GE(tearing.scene.duration, scene.cuts[0].at) << "until the cut there is nothing to break";
   EXPECT_LT(*tearing.differs, 1.5);
-  EXPECT_NE(tearing.words().find("compared until t = "), std::string::npos);
+  EXPECT_NE(tearing.words().find("certain until t = "), std::string::npos);
   const Reference reference = makeReference(tearing.scene, 1, {});
   EXPECT_TRUE(reference.usable());
   Scene other = tearing.scene;

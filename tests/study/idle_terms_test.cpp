@@ -56,6 +56,9 @@ TEST(IdleTerms, WindsAndMotionsWithoutEffectAreNamed) {
   for (const char* words : {"wind 2", "wind 3", "wind 4", "move 2", "move 3", "move 4"}) {
     EXPECT_EQ(count(scene, words), 1) << words;
   }
+  scene.winds[0].wavelength = 1;
+  EXPECT_EQ(count(scene, "wind 1 has a wavelength, but no gust"), 1);
+  scene.winds[0].wavelength = 0;
   scene.air.density = 0;
   EXPECT_EQ(count(scene, "wind 1"), 1);
   scene.air.density = 1.2, scene.rows = 1;

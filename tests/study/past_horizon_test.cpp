@@ -57,9 +57,10 @@ TEST(PastHorizon, IsToldInOneLineForEachPrecision) {
   const std::vector<std::string> lines = pastHorizonLines(
       {run(Precision::Float, 1, 0.25, 0.5), run(Precision::Float, 2, 0.75, 0.5), run(Precision::Double, 1, 3, 4)});
   ASSERT_EQ(lines.size(), 2U);
-  EXPECT_NE(lines[0].find("1 run in double, "), std::string::npos) << lines[0];
-  EXPECT_NE(lines[1].find("centre of mass 0.75 m (0.5; 1)"), std::string::npos) << lines[1];
-  EXPECT_NE(lines[1].find("gyration radius 1 m (2; 2)"), std::string::npos) << lines[1];
+  EXPECT_NE(lines[0].find("1 run goes in double past the horizon"), std::string::npos) << lines[0];
+  EXPECT_NE(lines[1].find("centre of mass up to 0.75 m away (1 within the twin's 0.5 m)"), std::string::npos)
+      << lines[1];
+  EXPECT_NE(lines[1].find("gyration radius up to 1 m away (2 within the twin's 2 m)"), std::string::npos) << lines[1];
   EXPECT_TRUE(pastHorizonLines({}).empty());
 }
 
@@ -77,7 +78,9 @@ TEST(PastHorizon, HorizonsShorterThanTheRunAreToldFromTheFirstToTheLast) {
   rows[0].horizon = 0.5, rows[1].horizon = 2;
   rows[3].status = RowStatus::Unstable, rows[3].horizon = WorkRow::kNone;
   ASSERT_EQ(horizonLines(rows, 3).size(), 1U);
-  EXPECT_EQ(horizonLines(rows, 3)[0], "in float T* = 0.5 to 2 s of 3 s for 2 of 3 runs");
+  EXPECT_EQ(horizonLines(rows, 3)[0], "2 of 3 runs in float from T* = 0.5 to 2 s of 3 s on");
+  rows[0].horizon = rows[1].horizon = 0;
+  EXPECT_EQ(horizonLines(rows, 3)[0], "2 of 3 runs in float from the start");
 }
 
 TEST(PastHorizon, TheBandIsTheTwinsSpreadAndWiderForRoundingLargerThanItsStart) {

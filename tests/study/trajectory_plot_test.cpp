@@ -7,6 +7,8 @@
 #include <cmath>
 #include <sstream>
 
+#include <fmt/core.h>
+
 #include "scaled_scene.h"
 #include "study/charts/gnuplot.h"
 #include "study/charts/trajectory_chart.h"
@@ -141,12 +143,44 @@ TEST(TrajectoryPlot, TheObserverStopsEverything) {
   EXPECT_LT(study.runs[0].times.back(), 0.5);
 }
 
-/// How many panels a figure has.
-std::size_t panels(const std::string& script) {
+std::size_t countOf(const std::string& text, const std::string& part) {
   std::size_t count = 0;
-  for (std::size_t at = script.find("\n  plot "); at != std::string::npos; at = script.find("\n  plot ", at + 1))
-    ++count;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
   return count;
+}
+
+/// How many panels a figure has.
+std::size_t panels(const std::string& script) { return countOf(script, "\n  plot "); }
+
+/// gnuplot took minutes where every panel read the rows of all.
+TEST(TrajectoryPlot, ReadsTheRowsOfEachCurveOnce) {
+  Scene scene = square();
+  scene.displacements.push_back({{"bottom-right"}, {0.1, 0, 0}});
+  const TrajectoryStudy study = follow(scene, {"symplectic-euler", "leapfrog", "rk4"});
+  const std::string script = trajectoryScript(study);
+  EXPECT_EQ(countOf(script, "'plot.csv'"), 3 * 2U);
+  const std::size_t rows = study.runs[0].times.size();
+  EXPECT_NE(script.find(fmt::format("'plot.csv' skip {} every ::0::{} ", 1 + 5 * rows, rows - 1)), std::string::npos);
+}
+
+TEST(TrajectoryPlot, IsNoWiderThanAScreenShowsWhereParticlesAreMany) {
+  Scene scene = square();
+  const auto widthOf = [&](std::size_t count) {
+    const std::vector<ChartedParticle> particles(count, chartedParticle(scene, "bottom-left"));
+    const std::string script = trajectoryScript(followParticles(scene, particles, {&findMethod("rk4")}, 1, kNeverStop));
+    const std::string before = "pngcairo size ";
+    return std::stod(script.substr(script.find(before) + before.size()));
+  };
+  EXPECT_EQ(widthOf(2), widthOf(3));
+  EXPECT_LT(widthOf(6), 2 * widthOf(2));
+}
+
+TEST(TrajectoryPlot, CutsALongTitleButNotWhatIsCharted) {
+  Scene scene = square();
+  scene.title = std::string(300, 'm');
+  const std::string script = trajectoryScript(follow(scene, {"rk4"}));
+  EXPECT_NE(script.find("mm\u2026: the way of the bottom-left particle\""), std::string::npos) << script;
+  EXPECT_EQ(script.find(std::string(120, 'm')), std::string::npos);
 }
 
 TEST(TrajectoryPlot, OfRoundingNoiseIsNoPanelInAnyUnits) {

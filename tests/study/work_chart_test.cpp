@@ -22,7 +22,7 @@ WorkRow row(const std::string& method, double error, double seconds) {
 
 WorkChart someChart() {
   WorkChart chart;
-  chart.title = "It's a test";
+  chart.scene = "It's a test";
   chart.rows = {row("rk4", 1e-3, 0.01), row("rk4", 1e-5, 0.02), row("leapfrog", 1e-2, 0.005)};
   WorkRow failed = row("leapfrog", WorkRow::kNone, 0.001);
   failed.status = RowStatus::Unstable;
@@ -35,8 +35,8 @@ bool holds(const std::string& text, const std::string& part) { return text.find(
 
 TEST(WorkChart, DrawsBothPicturesFromTheRowsBesideIt) {
   const std::string script = workChartScript(someChart());
-  for (const char* part :
-       {"rows.csv", "svg", "pngcairo", "\"It\\047s a test\"", "is(\"rk4\",'double')", "is(\"leapfrog\",'float')"}) {
+  for (const char* part : {"rows.csv", "svg", "pngcairo", "\"It\\047s a test: speed against accuracy\"",
+                           "is(\"rk4\",'double')", "is(\"leapfrog\",'float')"}) {
     EXPECT_TRUE(holds(script, part)) << part;
   }
   EXPECT_FALSE(holds(script, "compare.csv"));
@@ -103,7 +103,7 @@ TEST(WorkChart, TellsAHorizonThatIsShorterThanTheRun) {
   WorkChart chart = someChart();
   EXPECT_FALSE(holds(workChartScript(chart), "T* = "));
   chart.rows[1].horizon = 0.25;
-  EXPECT_TRUE(holds(workChartScript(chart), "in double T* = 0.25 s of 1 s for 1 of 3 runs"));
+  EXPECT_TRUE(holds(workChartScript(chart), "1 of 3 runs in double from T* = 0.25 s of 1 s on"));
 }
 
 TEST(WorkChart, TheWorkOfAFailedRunIsThatOfTheTimeItReached) {

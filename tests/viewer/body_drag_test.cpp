@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/forces/terms/contact.h"
 #include "viewer/edits.h"
 #include "viewer/viewer_fixture.h"
 
@@ -153,6 +154,26 @@ TEST_F(StillBodyDragTest, ABodyComesToRestWhereTheCursorIsWhateverTheStep) {
     EXPECT_LT(glm::distance(ballAt(), there), 1e-3) << dt;
     release(kLeftButton);
   }
+}
+
+TEST_F(BodyDragTest, ABodyThatMovesByItselfStaysWhereTheCursorHoldsIt) {
+  Scene moving = scene();
+  moving.bodies[0].name = "ball";
+  moving.moves = {{.velocity = {0.3, 0.1, 0}, .duration = 10, .body = "ball"}};
+  viewer_.scenes().use(moving);
+  tap(' '), frames(60);
+  const auto ballNow = [&] {
+    const Simulation& simulation = viewer_.run().simulation();
+    const Vec3 at = tyg::placeOf(simulation.scene(), 0, simulation.time());
+    return glm::vec3(at.x, at.y, at.z);
+  };
+  const glm::dvec2 seen = placeInWindow(viewer_.view().camera(), ballNow(), {1280, 720});
+  pressAt(seen), moveTo(seen + glm::dvec2(30, 0)), frames(60);
+  const glm::vec3 held = ballNow();
+  frames(120);
+  EXPECT_LT(glm::distance(ballNow(), held), 0.02) << "by itself it would have gone 0.6 m";
+  release(kLeftButton), frames(60);
+  EXPECT_GT(glm::distance(ballNow(), held), 0.2);
 }
 
 TEST_F(BodyDragTest, BeyondTheSixthBodyADragSaysThatItMovesNone) {

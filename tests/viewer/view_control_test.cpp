@@ -153,7 +153,7 @@ ViewControl viewOfASquare() {
   ViewControl view;
   const auto corners = kSquare.corners();
   view.begin({corners.begin(), corners.end()});
-  view.follow(kSquare, {}, false);
+  view.follow(kSquare, {}, false, false);
   return view;
 }
 
@@ -172,7 +172,7 @@ TEST(ViewControl, ShowsAWaitingClothLargeAndGlidesToWhereItWillGetToOnceItMoves)
   view.begin({{-5, -5, 0}, {5, 5, 0}});
   view.resize(kWindow, {});
   const float near = view.camera().distance();
-  view.follow(kSquare, {}, true);
+  view.follow(kSquare, {}, true, false);
   ASSERT_TRUE(view.glides());
   view.move({}, 0.1F);
   EXPECT_LT(view.camera().distance(), 1.5F * near) << "not at once";
@@ -189,7 +189,7 @@ TEST(ViewControl, GlidesNowhereOnceThePersonHasMovedTheCamera) {
     view.begin({{-5, -5, 0}, {5, 5, 0}});
     view.resize(kWindow, {});
     if (before) view.orbit({30, 0}, {});
-    view.follow(kSquare, {}, true);
+    view.follow(kSquare, {}, true, false);
     if (!before) view.orbit({30, 0}, {});
     EXPECT_FALSE(view.glides()) << before;
     const glm::vec3 eye = view.camera().eye();
@@ -205,8 +205,8 @@ std::vector<float> particlesOf(const Box& box) {
   return xyz;
 }
 /// Shows the view a box in a frame of 0.02 s.
-void showFrame(ViewControl& view, const Box& cloth) {
-  view.follow(cloth, {}, true);
+void showFrame(ViewControl& view, const Box& cloth, bool isWhole = false) {
+  view.follow(cloth, {}, true, isWhole);
   view.move({}, 0.02F);
   view.keepInView([particles = particlesOf(cloth)] { return std::span<const float>(particles); }, 0.02F);
 }
@@ -261,6 +261,15 @@ TEST(ViewControl, LeavesAClothToThePersonWhoHasMovedTheCameraAndPartsThatFallToT
   }
 }
 
+TEST(ViewControl, GoesAlongWithAWholeClothHoweverFarItSpreads) {
+  ViewControl view = viewOfASquare();
+  view.resize(kWindow, {});
+  for (int frame = 0; frame < 50; ++frame) showFrame(view, kSquare, true);
+  const Box wide{{-4, -1, 0}, {4, 1, 0}};
+  for (int frame = 0; frame < 200; ++frame) showFrame(view, wide, true);
+  EXPECT_LT(farthestOut(view, wide), 1);
+}
+
 TEST(ViewControl, StaysAsNearToAClothThatFallsForLong) {
   ViewControl view = viewOfASquare();
   view.resize(kWindow, {});
@@ -281,7 +290,7 @@ TEST(ViewControl, GoesBackAtARestartIfItHasFollowedTheCloth) {
     if (follows) {
       for (int frame = 0; frame < 60; ++frame) showFrame(view, squareAt({3, 0, 0}));
     }
-    view.follow(kSquare, {}, false);
+    view.follow(kSquare, {}, false, false);
     EXPECT_EQ(view.glides(), follows);
   }
 }
@@ -366,7 +375,7 @@ TEST(ViewControl, FramesTheBodiesNearToAClothThatHasMoved) {
   view.resize(kWindow, {});
   const std::vector<Body> bodies{{.shape = Shape::Ball, .at = {0, -2, 0}, .radius = 0.5}};
   const auto lowestSeen = [&](std::span<const Body> shown) {
-    view.follow(kSquare, shown, true);
+    view.follow(kSquare, shown, true, false);
     view.frameCloth();
     const glm::vec4 clip =
         view.camera().projection(16.0F / 9) * view.camera().view() * glm::vec4(0, -2.5F, 0, 1);  // the ball's lowest

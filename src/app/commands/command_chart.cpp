@@ -172,7 +172,7 @@ int sayNoReference(const Reference& reference) {
 WorkChart chartOf(const Reference& reference, const Study& study, const Charting& charting) {
   WorkChart chart;
   chart.rows = study.rows;
-  chart.title = reference.scene.title + ": speed against accuracy";
+  chart.scene = reference.scene.title;
   chart.notes = chartNotes(reference, machineName(), charting.threads());
   if (!charting.tears().empty()) chart.notes.push_back(charting.tears());
   if (study.tornElsewhere > 0) {
@@ -196,7 +196,7 @@ int chart(const ChartOptions& options) {
   const Earlier earlier = readEarlier(scene, options.compare);
   const std::vector<std::string> files{"rows.csv",   "chart.gp",    "chart.svg",       "chart.png",
                                        "sheets.csv", "compare.csv", "past_horizon.csv"};
-  fs::path folder = preparedFolder(options.out, files);
+  checkFolder(options.out, files);
 
   const ChosenDevice device = deviceForStudy(options.device, scene, "tyg chart");
   const InterruptWatch watch;
@@ -224,7 +224,8 @@ int chart(const ChartOptions& options) {
 
   if (stopped && drawn.rows.empty()) return sayInterrupted("tyg chart");
   // A whole chart is worth more than the part of one.
-  if (stopped && fs::exists(folder / "rows.csv")) folder = preparedFolder(folder / "interrupted", files);
+  const fs::path out = options.out;
+  const fs::path folder = preparedFolder(stopped && fs::exists(out / "rows.csv") ? out / "interrupted" : out, files);
   writeWholeFile(folder / "rows.csv", workCsv(drawn.rows));
   // What an earlier chart left here does not belong to these rows.
   const auto writeOrRemove = [&](const char* name, const std::string& text) {

@@ -52,8 +52,7 @@ int check(const CheckCommandOptions& options) {
     throw InputError(fmt::format("--dt: found {}, allowed are steps that lead to every time of {}",
                                  timeText(*options.scene.dt), options.file));
   }
-  std::filesystem::path folder;
-  if (options.out) folder = preparedFolder(*options.out, kFiles);
+  if (options.out) checkFolder(*options.out, kFiles);
 
   const InterruptWatch watch;
   auto progress = std::make_unique<Progress>("tyg check " + scene.name);
@@ -64,6 +63,7 @@ int check(const CheckCommandOptions& options) {
   if (report.check.stopped || interrupted()) return sayInterrupted("tyg check");
   std::cout << (options.json ? checkJson(report) : checkTable(report)) << std::flush;
   if (options.out) {
+    const std::filesystem::path folder = preparedFolder(*options.out, kFiles);
     writeWholeFile(folder / "check.csv", checkCsv(report));
     writeWholeFile(folder / "check.gp", checkScript(report.check));
     const int drawn = drawFiles("tyg check", folder, "check", "check.csv", options.json ? std::cerr : std::cout);

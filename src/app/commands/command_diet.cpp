@@ -114,7 +114,7 @@ int diet(const DietOptions& options) {
   Scene scene = chosenScene(options.scene);
   const double within = parseLength("--within", options.within, makeSheet(scene).size());
   const std::vector<std::string> files{"diet.csv", "lean.toml", "overlay.png"};
-  const std::filesystem::path folder = preparedFolder(options.out, files);
+  checkFolder(options.out, files);
 
   const InterruptWatch watch;
   auto dieting = std::make_unique<Dieting>(options, scene);
@@ -138,6 +138,7 @@ int diet(const DietOptions& options) {
   const DietFindings findings{reference, found, needs, hangsByPoints(scene),
                               firstCrossingOf(scene, reference.motion, found.judgedUpTo)};
   std::cout << (options.json ? dietJson(findings) : dietTable(findings)) << std::endl;
+  const std::filesystem::path folder = preparedFolder(options.out, files);
   writeFiles(findings, folder);
   if (options.json) return kDone;
   for (const std::string& file : files) std::cout << (folder / file).string() << "\n";

@@ -26,7 +26,7 @@ A scene in which the cloth is cut or tears is simulated twice, so that its cuts 
 
 Examples:
   tyg export curtain                                   curtain.usda
-  tyg export flag --from 2 --to 4 --fps 30 --out flag.usda
+  tyg export flag --from 1 --to 3 --fps 30 --out flag.usda
   tyg export tablecloth --out frames                   numbered OBJ files
 
 Exit codes: 0 done; 1 the run became unstable; 2 wrong input or usage; 130 interrupted by Ctrl-C.
@@ -36,6 +36,7 @@ int exportChosen(const ExportOptions& options) {
   const Scene scene = chosenScene(options.scene);
   ExportRequest request;
   request.times = chosenFrames(options.frames, scene, request.fps);
+  sayPastTheEnd("tyg export", request.times.back(), scene);
   request.fps = options.frames.fps.value_or(request.fps);
   request.out = options.out.value_or(fileStem(scene.name) + ".usda");
   request.threads = options.scene.threads.value_or(0);

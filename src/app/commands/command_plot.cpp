@@ -78,12 +78,13 @@ int plot(const PlotOptions& options) {
   chosenMethods(options.scene, kUsualMethods);
   chosenParticles(scene, options.particles);
   const std::vector<std::string> files{"plot.csv", "plot.gp", "plot.svg", "plot.png"};
-  const std::filesystem::path folder = preparedFolder(options.out, files);
+  checkFolder(options.out, files);
 
   const InterruptWatch watch;
   const TrajectoryStudy study = followed(scene, options);
   if (interrupted()) return sayInterrupted("tyg plot");
   sayWhatFailed(study);
+  const std::filesystem::path folder = preparedFolder(options.out, files);
   writeWholeFile(folder / "plot.csv", trajectoryCsv(study));
   writeWholeFile(folder / "plot.gp", trajectoryScript(study));
   return drawFiles("tyg plot", folder, "plot", "plot.csv");

@@ -60,6 +60,8 @@ SampledMotion sampled(const Reference& reference, const ReferenceOptions& option
 int makeReferenceFile(const ReferenceOptions& options) {
   const Scene scene = chosenScene(options.scene);
   MotionFile file(options.out, options.wide ? MotionForm::Wide : MotionForm::Long, scene.columns * scene.rows);
+  const double bytesOfParticle = options.wide ? 62 : 78;
+  sayLargeOutput("tyg reference", options.out, scene, std::size_t(options.samples), bytesOfParticle);
   const int threads = options.scene.threads.value_or(0);
 
   const InterruptWatch watch;

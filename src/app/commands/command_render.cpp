@@ -37,7 +37,7 @@ pictures needs nothing.
 Examples:
   tyg render curtain                                   curtain.png
   tyg render poke --at 0.6 --out poke.png --light      on a light background, for print
-  tyg render flag --from 0 --to 4 --fps 60 --out flag.mp4
+  tyg render flag --from 0 --to 3 --fps 60 --out flag.mp4
   tyg render hammock --out frames                      numbered pictures)";
 
 std::vector<double> chosenTimes(const Scene& scene, const RenderOptions& options) {
@@ -68,6 +68,7 @@ int renderChosen(const RenderOptions& options) {
   RenderRequest request;
   request.show = chosenShow(options.look, scene);
   request.times = chosenTimes(scene, options);
+  sayPastTheEnd("tyg render", request.times.back(), scene);
   request.fps = options.frames.fps.value_or(request.fps);
   const auto [width, height] = parsePair(options.size);
   request.size = {width, height};

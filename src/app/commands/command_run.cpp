@@ -198,7 +198,11 @@ int run(const RunOptions& options) {
   if (log) scene = fitted(std::move(scene), options.scene, *log);
   takeFloatOnCard(scene, options.device, options.scene.precision || log);
   std::optional<SampleFile> file;
-  if (options.out) file.emplace(*options.out);
+  if (options.out) {
+    constexpr double kBytesOfParticle = 140;
+    file.emplace(*options.out);
+    sayLargeOutput("tyg run", *options.out, scene, std::size_t(options.samples), kBytesOfParticle);
+  }
 
   const ChosenDevice chosen = chosenDevice(options.device, scene, options.scene.threads.value_or(0), "tyg run");
   auto run = std::make_unique<Run>(scene, options, chosen.device);
@@ -241,7 +245,8 @@ void addRunCommand(CLI::App& app, Action& action) {
   command.flag("--json", options->json, "Print one JSON object instead of the summary, after a failure too");
   command.flag("--verbose", options->verbose, "First print on standard error what is simulated, and how");
   command.footer(kExamples);
-  command.onChosen([options, scene, replay, &action] {
+  command.onChosen([=, &action] {
+    if (samples.given() && !out.given()) std::cerr << "tyg run: without --out, --samples is not used" << std::endl;
     if (!scene.given() && replay.given()) options->scene.scene.clear();  // the log's own
     action = [options] { return run(*options); };
   });

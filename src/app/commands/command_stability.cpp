@@ -43,7 +43,7 @@ int stability(const StabilityOptions& options) {
   plan.methods = chosenMethods(options.scene);
   plan.threads = options.scene.threads.value_or(defaultThreads(scene.columns * scene.rows));
   const std::vector<std::string> files{"stability.csv", "stability.gp", "stability.svg", "stability.png"};
-  const std::filesystem::path folder = preparedFolder(options.out, files);
+  checkFolder(options.out, files);
 
   const InterruptWatch watch;
   auto progress = std::make_unique<Progress>("tyg stability " + scene.name);
@@ -51,6 +51,7 @@ int stability(const StabilityOptions& options) {
   const StabilityStudy study = studyStability(scene, plan);
   progress.reset();  // wipes its line
   if (study.stopped) return sayInterrupted("tyg stability");
+  const std::filesystem::path folder = preparedFolder(options.out, files);
   writeWholeFile(folder / "stability.csv", stabilityCsv(study));
   writeWholeFile(folder / "stability.gp", stabilityScript(study));
   std::cout << stabilityTable(study) << "\n" << std::flush;

@@ -57,6 +57,8 @@ struct FrameWords {
 void addFrameOptions(Command& command, FrameOptions& options, const FrameWords& words);
 /// The times of the frames, s, both ends included. Throws InputError.
 std::vector<double> chosenFrames(const FrameOptions& options, const Scene& scene, double usualFps);
+/// Says on standard error where frames up to this time, s, need the cloth to move on past the end of the run.
+void sayPastTheEnd(const char* command, double last, const Scene& scene);
 
 /// How to draw the cloth, besides what its scene says.
 struct LookOptions {

@@ -1,4 +1,5 @@
 // The options that say which times of a run become frames.
+#include <iostream>
 #include <memory>
 
 #include <fmt/core.h>
@@ -35,6 +36,13 @@ std::vector<double> chosenFrames(const FrameOptions& options, const Scene& scene
     throw InputError(fmt::format("--from, --to, --fps: found more than {} frames, allowed are fewer", kMostFrames));
   }
   return frameTimes(from, to, fps);
+}
+
+void sayPastTheEnd(const char* command, double last, const Scene& scene) {
+  if (last <= scene.duration) return;
+  std::cerr << fmt::format("{}: {:g} s is after the end of the run at {:g} s; the cloth moves on until then", command,
+                           last, scene.duration)
+            << std::endl;
 }
 
 }  // namespace tyg

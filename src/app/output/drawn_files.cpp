@@ -1,5 +1,5 @@
-// The folder is made and every file is tried before any work begins. Pictures appear whole, or not at all where gnuplot
-// fails or is interrupted.
+// The folder and every file are tried before any work begins, and the folder is made when there are files. Pictures
+// appear whole, or not at all where gnuplot fails or is interrupted.
 #include "app/output/drawn_files.h"
 
 #include <iostream>
@@ -16,6 +16,31 @@ namespace tyg {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// The folders of a path that are not there. Where they were made meanwhile, and are empty, they go when this goes.
+class MissingFolders {
+ public:
+  explicit MissingFolders(fs::path path) {
+    std::error_code none;
+    const auto isMissing = [&] { return fs::symlink_status(path, none).type() == fs::file_type::not_found; };
+    for (; !path.empty() && isMissing(); path = path.parent_path()) {
+      paths_.push_back(path);
+    }
+  }
+  ~MissingFolders() {
+    std::error_code none;
+    for (const fs::path& path : paths_) fs::remove(path, none);
+  }
+  MissingFolders(const MissingFolders&) = delete;
+  MissingFolders& operator=(const MissingFolders&) = delete;
+
+ private:
+  std::vector<fs::path> paths_;  // the innermost first
+};
+
+}  // namespace
+
 fs::path preparedFolder(const fs::path& name, std::span<const std::string> files) {
   std::error_code error;
   fs::create_directories(name, error);
@@ -26,6 +51,11 @@ fs::path preparedFolder(const fs::path& name, std::span<const std::string> files
   }
   for (const std::string& file : files) checkWritable(name / file);
   return name;
+}
+
+void checkFolder(const fs::path& name, std::span<const std::string> files) {
+  const MissingFolders goneAgain(name);
+  preparedFolder(name, files);
 }
 
 int drawFiles(const std::string& command, const fs::path& folder, const std::string& stem, const std::string& rows) {

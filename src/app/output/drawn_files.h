@@ -9,6 +9,9 @@
 
 namespace tyg {
 
+/// Throws InputError where these files could not be written to the folder, or the folder could not be made: to be
+/// called before anything is computed. Leaves no trace.
+void checkFolder(const std::filesystem::path& name, std::span<const std::string> files);
 /// The folder, made where it is missing; each of these files in it can then be written. Throws InputError.
 std::filesystem::path preparedFolder(const std::filesystem::path& name, std::span<const std::string> files);
 

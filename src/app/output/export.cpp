@@ -88,6 +88,8 @@ int written(const Scene& scene, const ExportRequest& request, ExportSink& sink) 
 int exportScene(const Scene& scene, const ExportRequest& request) {
   const InterruptWatch watch;
   const std::unique_ptr<ExportSink> sink = openSink(request.out);
+  const double bytesOfParticle = isUsd(request.out) ? 70 : 130;
+  sayLargeOutput(kCommand, request.out.string(), scene, request.times.size(), bytesOfParticle);
   const int code = written(scene, request, *sink);
   if (code == kDone) {
     const std::size_t frames = request.times.size();

@@ -51,6 +51,14 @@ void Progress::draw(double fraction) {
   std::fflush(stderr);
 }
 
+void sayLargeOutput(const std::string& command, const std::string& out, const Scene& scene, std::size_t times,
+                    double bytes) {
+  constexpr double kGigabyte = 1e9;
+  const double all = bytes * double(times) * scene.columns * scene.rows;
+  if (all < kGigabyte) return;
+  std::cerr << fmt::format("{}: {} will take about {:.2g} GB", command, oneLine(out), all / kGigabyte) << std::endl;
+}
+
 int sayInterrupted(const std::string& command, const std::string& kept) {
   std::cerr << command << ": interrupted; " << kept << std::endl;
   return kInterrupted;

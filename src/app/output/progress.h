@@ -1,5 +1,5 @@
-// What is said while long work goes on: a line on the terminal with the time that it will still take, and that it was
-// interrupted.
+// What is said of long work: how much it will write, a line on the terminal with the time that it will still take, and
+// that it was interrupted.
 // Must not know: what the work is.
 #pragma once
 
@@ -7,6 +7,8 @@
 #include <functional>
 #include <string>
 #include <string_view>
+
+#include "tyg/scene.h"
 
 namespace tyg {
 
@@ -37,6 +39,11 @@ class Progress {
   bool drawn_ = false;
   Clock::time_point start_ = Clock::now(), nextDraw_;
 };
+
+/// Says on standard error about how much `command` will write to `out` where that is a gigabyte or more: numbers of all
+/// particles at so many times, each of which takes so many bytes.
+void sayLargeOutput(const std::string& command, const std::string& out, const Scene& scene, std::size_t times,
+                    double bytes);
 
 /// Says on standard error that `command` was interrupted and what is `kept`; returns the exit code for that.
 int sayInterrupted(const std::string& command, const std::string& kept = "nothing was written");

@@ -3,12 +3,14 @@
 #include "app/output/render.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <optional>
 
 #include <fmt/core.h>
 
+#include "app/output/drawn_files.h"
 #include "app/output/exit_code.h"
 #include "app/output/moving_scene.h"
 #include "app/output/progress.h"
@@ -135,9 +137,7 @@ Studio openStudio(const Simulation& simulation, const RenderRequest& request) {
   }
 }
 
-fs::path frameFile(const RenderRequest& request, std::size_t frame) {
-  return request.out / fmt::format("frame_{:05}.png", frame);
-}
+std::string frameName(std::size_t frame) { return fmt::format("frame_{:05}.png", frame); }
 
 /// Nothing is computed for an output that cannot be written.
 void checkOutput(const RenderRequest& request) {
@@ -154,18 +154,13 @@ void checkOutput(const RenderRequest& request) {
                      ", but there is no ffmpeg to make a movie; allowed without it is a folder for PNG pictures");
   }
   if (form != Form::Folder) return checkWritable(request.out);
-  std::error_code error;
-  fs::create_directories(request.out, error);
-  if (!isFolder(request.out)) {
-    throw InputError(found + ", allowed is a folder that exists or can be made (" + error.message() + ")");
-  }
-  checkWritable(frameFile(request, 0));
+  checkFolder(request.out, std::array{frameName(0)});
 }
 
 /// What an earlier sequence that was longer left in the folder would be taken for more of this one.
 void removeFramesFrom(const RenderRequest& request, std::size_t frame) {
   std::error_code none;
-  while (fs::remove(frameFile(request, frame), none)) ++frame;
+  while (fs::remove(request.out / frameName(frame), none)) ++frame;
 }
 
 int renderPicture(const Scene& scene, const RenderRequest& request) {
@@ -198,11 +193,12 @@ int renderSequence(const Scene& scene, const RenderRequest& request) {
   const bool isMovie = formOf(request.out) == Form::Movie;
   std::optional<Movie> movie;
   if (isMovie) movie.emplace(request.out, MovieForm{request.size.x, request.size.y, request.fps}, interrupted);
+  if (!isMovie) preparedFolder(request.out, std::array{frameName(0)});
   MovingScene motion(scene, settingsOf(request), [](double) { return !interrupted(); });
   for (std::size_t frame = 0; frame < request.times.size(); ++frame) {
     if (!motion.reach(request.times[frame])) return sayStopped(kCommand, motion.simulation(), progress);
     const Picture& picture = studio.draw(motion, camera);
-    isMovie ? movie->add(picture) : writePng(picture, frameFile(request, frame));
+    isMovie ? movie->add(picture) : writePng(picture, request.out / frameName(frame));
     progress.show(kFirstShare + (1 - kFirstShare) * double(frame + 1) / double(request.times.size()));
   }
   if (movie && !movie->finish()) return sayStopped(kCommand, motion.simulation(), progress);

@@ -89,7 +89,8 @@ std::string verdictText(const Scene& scene, const Advice& advice) {
     text +=
         "The error cannot be known better: the two exact methods differ by " + lengthText(advice.uncertainty) + ".\n";
   } else if (advice.floor > advice.achieved / 10) {
-    text += "This cloth amplifies rounding errors: they could become as large as " + lengthText(advice.floor) + ".\n";
+    text += "The error is known only to within " + lengthText(advice.floor) +
+            ": rounding errors may be as large as that.\n";
   }
   return text;
 }

@@ -21,7 +21,8 @@ std::string amplificationText(const Reference& reference) {
     return fmt::format("a disturbance grows a million times by t = {:.2g} s", reference.motion.times[k]);
   }
   const double most = std::ranges::max(reference.amplification);
-  return fmt::format("a small disturbance {} {:.2g} times", most > 1 ? "grows" : "shrinks, to at most", most);
+  return most > 1 ? fmt::format("a small disturbance grows {:.2g} times", most)
+                  : fmt::format("a small disturbance shrinks to {:.2g} of its size or less", most);
 }
 
 std::string costText(double cost, Cost kind) {

@@ -60,10 +60,9 @@ std::string errorTable(const CheckReport& report) {
 std::string horizonLine(const MotionCheck& check) {
   const double horizon = check.reference.horizonOf(check.error, Precision::Double);
   if (check.error == 0 || horizon >= check.scene.duration) return "";
-  if (!(horizon > 0)) return paragraph("Rounding errors alone make differences of this size in this cloth.");
-  return paragraph(fmt::format(
-      "Past {} rounding errors alone make differences of this size in this cloth: errors there tell nothing.",
-      timeText(horizon)));
+  if (!(horizon > 0)) return paragraph("The truth is known only to the floor: an error of this size tells no more.");
+  return paragraph(fmt::format("The truth is known only to the floor: past {} an error of this size tells nothing.",
+                               timeText(horizon)));
 }
 
 }  // namespace

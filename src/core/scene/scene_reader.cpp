@@ -243,9 +243,9 @@ void readRun(SceneTable table, Scene& scene, std::span<const std::string_view> m
   } else if (const auto method = table.oneOf("integrator", methods)) {
     scene.integrator = methods[*method];
   }
-  table.number("dt", scene.dt, Allowed::Positive);
+  table.number("dt", scene.dt, Allowed::Positive, 0);
   scene.tolerance = std::min(scene.tolerance, largestTolerance(scene));
-  table.number("tolerance", scene.tolerance, Allowed::Positive);
+  table.number("tolerance", scene.tolerance, Allowed::Positive, 0);
   table.choice("precision", scene.precision, {"float", "double"});
   table.finish({"duration", "integrator", "dt"});
   if (scene.duration / scene.dt > kMostSteps) {

@@ -102,11 +102,12 @@ void SceneTable::integer(std::string_view key, int& out, int lowest, int highest
   out = static_cast<int>(number);
 }
 
-void SceneTable::number(std::string_view key, double& out, Allowed allowed) {
+void SceneTable::number(std::string_view key, double& out, Allowed allowed, double smallest) {
   const toml::node* value = ask(key, wordsFor(allowed));
   if (value == nullptr) return;
   const std::optional<double> number = finiteNumber(*value);
   if (!number || !allows(allowed, *number)) refuseValue(*value);
+  refuseExtreme(*value, *number, smallest);
   out = *number;
 }
 
@@ -115,6 +116,7 @@ void SceneTable::vector(std::string_view key, Vec3& out) {
   if (value == nullptr) return;
   const std::optional<Vec3> vector = finiteVector(*value);
   if (!vector) refuseValue(*value);
+  for (const double part : {vector->x, vector->y, vector->z}) refuseExtreme(*value, part, 0);
   out = *vector;
 }
 
@@ -135,6 +137,7 @@ void SceneTable::gridPoint(std::string_view key, double& column, double& row) {
   if (array == nullptr || array->size() != 2) refuseValue(*value);
   const auto first = finiteNumber((*array)[0]), second = finiteNumber((*array)[1]);
   if (!first || !second) refuseValue(*value);
+  for (const double part : {*first, *second}) refuseExtreme(*value, part, 0);
   column = *first, row = *second;
 }
 
@@ -198,7 +201,7 @@ void SceneTable::particleSetOrSets(std::string_view key, const Sheet& sheet, std
 }
 
 void SceneTable::refuseOtherName(const toml::node& value, std::span<const std::string_view> others, bool inList) const {
-  if (!value.is_string() || others.empty()) return;
+  if (!value.is_string() || value.ref<std::string>().empty()) return;
   const std::string& word = value.ref<std::string>();
   if (isPlaceName(word)) return;
   if (inList && std::ranges::find(others, word) != others.end()) {
@@ -207,8 +210,8 @@ void SceneTable::refuseOtherName(const toml::node& value, std::span<const std::s
   const std::span<const std::string_view> places = placeNames();
   std::vector<std::string_view> names(places.begin(), places.end());
   if (!inList) names.insert(names.end(), others.begin(), others.end());
-  refuseLine(value, fmt::format("found {}, allowed {}, [column, row]{}", shortened(textOf(value)), quoted(names),
-                                didYouMean(word, names)));
+  refuseLine(value, fmt::format("found {}, the name of nothing in this scene, allowed {}, [column, row]{}",
+                                shortened(textOf(value)), quoted(names), didYouMean(word, names)));
 }
 
 std::optional<std::string> SceneTable::wordAt(std::string_view key) const {
@@ -280,6 +283,13 @@ const toml::node* SceneTable::ask(std::string_view key, std::string allowed) {
 
 void SceneTable::refuseValue(const toml::node& value) const {
   refuseLine(value, fmt::format("found {}, allowed {}", shortened(textOf(value)), asked_.back().allowed));
+}
+
+void SceneTable::refuseExtreme(const toml::node& value, double number, double smallest) const {
+  const double size = std::abs(number);
+  if (number == 0 || (size >= smallest && size <= kLargestNumber)) return;
+  refuseLine(value, fmt::format("found {}, allowed are numbers of a size from {:g} to {:g}", shortened(textOf(value)),
+                                kSmallestNumber, kLargestNumber));
 }
 
 void SceneTable::refuseLine(const toml::node& value, const std::string& foundAndAllowed) const {

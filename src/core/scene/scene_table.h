@@ -13,6 +13,7 @@
 #include <toml++/toml.h>
 
 #include "core/forces/parameter.h"
+#include "core/scene/scene_range.h"
 #include "tyg/sheet.h"
 
 namespace tyg {
@@ -26,7 +27,8 @@ class SceneTable {
 
   void text(std::string_view key, std::string& out);
   void integer(std::string_view key, int& out, int lowest, int highest);
-  void number(std::string_view key, double& out, Allowed allowed);
+  /// A size below `smallest` is refused, unless it is 0.
+  void number(std::string_view key, double& out, Allowed allowed, double smallest = kSmallestNumber);
   void vector(std::string_view key, Vec3& out);
   /// Red, green and blue, 0..1 each.
   void colour(std::string_view key, Vec3& out);
@@ -78,6 +80,8 @@ class SceneTable {
   };
   const toml::node* ask(std::string_view key, std::string allowed);
   [[noreturn]] void refuseValue(const toml::node& value) const;
+  /// Where it cannot be computed with.
+  void refuseExtreme(const toml::node& value, double number, double smallest) const;
   [[noreturn]] void refuseLine(const toml::node& value, const std::string& foundAndAllowed) const;
   [[nodiscard]] Place place(const toml::node& value) const;
   [[nodiscard]] Place knownPlace(const toml::node& value, const Sheet& sheet) const;

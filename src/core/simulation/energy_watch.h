@@ -3,12 +3,16 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <limits>
 
 #include "core/simulation/alarm.h"
 #include "tyg/simulation.h"
 
 namespace tyg {
+
+/// Steps of a run from one energy check to the next, where nobody asks for one.
+inline constexpr std::int64_t kStepsBetweenChecks = 64;
 
 /// The energies of a run at one moment, J.
 struct EnergySample {

@@ -14,7 +14,6 @@ namespace tyg {
 namespace {
 
 constexpr double kSameTime = 1e-9;  // of dt: stop times closer than this are one
-constexpr std::int64_t kStepsBetweenChecks = 64;
 /// Evaluations of all particles between two questions to the observer: a tenth of a second.
 constexpr std::int64_t kWorkBetweenQuestions = std::int64_t{1} << 24;
 /// Fused steps need as many at once to keep two threads in step.

@@ -1,7 +1,10 @@
 // Pixels become fractions of gnuplot's screen, which count from the lower left corner.
 #include "study/charts/chart_script.h"
 
+#include <algorithm>
+
 #include "study/charts/gnuplot.h"
+#include "util/utf8.h"
 #include "util/visible_text.h"
 
 namespace tyg {
@@ -55,6 +58,18 @@ void ChartScript::label(const std::string& words, const Pixel& at, const TextSty
       "front\n",
       gnuplotQuoted(shownText(words)), screen(at), style.upward ? " rotate by 90" : "", side, letters_, style.scale,
       style.colour);
+}
+
+void ChartScript::title(const std::string& scene, const std::string& what, const Pixel& at) {
+  constexpr double kLargest = 1.4, kRight = 40, kLetterWidth = 12;  // pixels
+  const auto fitting = static_cast<std::size_t>((width_ - at.x - kRight) / kLetterWidth);
+  std::string words = scene + ": " + what;
+  if (characterCount(words) > fitting) {
+    const std::string end = "\u2026: " + what;
+    words = std::string(cutToBytes(scene, fitting - std::min(fitting, characterCount(end)))) + end;
+  }
+  const double scale = std::clamp(double(fitting) / double(characterCount(words)), 1.0, kLargest);
+  label(words, at, {.colour = "#000000", .scale = scale});
 }
 
 void ChartScript::point(const Pixel& at, int type, double size, const std::string& colour) {

@@ -49,6 +49,9 @@ class ChartScript {
   };
   /// `words` may be anybody's: nothing in them is read by gnuplot.
   void label(const std::string& words, const Pixel& at, const TextStyle& style);
+  /// The first line of a chart: `scene`, anybody's title of it, and what is charted. Large letters become smaller where
+  /// they do not fit, and `scene` is cut short where that does not help.
+  void title(const std::string& scene, const std::string& what, const Pixel& at);
   /// A point of one of gnuplot's types.
   void point(const Pixel& at, int type, double size, const std::string& colour);
 

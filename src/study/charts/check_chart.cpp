@@ -70,7 +70,7 @@ std::string checkScript(const MotionCheck& check) {
   script.add("  set grid lt 1 lc '#d0d0d0' lw 1\n  set xrange [0:{:.12g}]\n  set logscale y\n", check.scene.duration);
   script.add("  set yrange [1e{:g}:1e{:g}]\n  set format y '10^{{%T}}'\n", low, high);
   script.add("  set xlabel 'time (s)'\n  set ylabel 'distance, RMS over particles (m)'\n");
-  script.label(check.scene.title + ": how wrong a motion is", {kLeft, 45}, {.colour = "#000000", .scale = 1.35});
+  script.title(check.scene.title, "how wrong a motion is", {kLeft, 45});
   const std::string mistake = mistakeName(check);
   const bool explained = check.verdict != MotionCheck::Verdict::Unexplained;
   script.label(!mistake.empty() ? "mistake: " + mistake

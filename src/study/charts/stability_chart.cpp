@@ -143,8 +143,7 @@ RegionPanel addRegionData(std::size_t k, const Method& method, const Scene& scen
 }
 
 void addTitle(const Scene& scene, ChartScript& script) {
-  script.label(scene.title + ": the largest stable step, predicted and measured", {60, 50},
-               {.colour = kInk, .scale = 1.4});
+  script.title(scene.title, "the largest stable step, predicted and measured", {60, 50});
   script.label(
       fmt::format("{} x {} particles; measured by bisection on the energy alarm; the dashed line is h = {:g} ms",
                   scene.columns, scene.rows, 1e3 * scene.dt),

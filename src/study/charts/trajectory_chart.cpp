@@ -16,7 +16,7 @@ namespace tyg {
 namespace {
 
 // In pixels of the PNG, and of the SVG before it is scaled.
-constexpr double kColumnWidth = 1180, kSingleWidth = 1600, kPanelHeight = 270, kGap = 36;
+constexpr double kSingleWidth = 1600, kWidth = 2360, kNarrowestColumn = 620, kPanelHeight = 270, kGap = 36;
 constexpr double kLeft = 190, kRight = 50, kBottom = 140;
 constexpr double kHead = 150, kLegendRow = 44, kSampleWidth = 120, kCharacterWidth = 11.5;
 
@@ -151,7 +151,7 @@ Layout layoutOf(const TrajectoryStudy& study) {
   }
   if (anyDistance(study)) layout.rows.emplace_back(std::nullopt);
   const bool single = study.particles.size() == 1;
-  layout.width = single ? kSingleWidth : kColumnWidth * double(study.particles.size());
+  layout.width = single ? kSingleWidth : std::max(kWidth, kNarrowestColumn * double(study.particles.size()));
   layout.legendColumns = legendColumns(study, layout.width);
   const std::size_t legendRows = (study.runs.size() + layout.legendColumns - 1) / layout.legendColumns;
   layout.top = kHead + kLegendRow * double(legendRows) + (single ? 0 : 40);
@@ -159,11 +159,9 @@ Layout layoutOf(const TrajectoryStudy& study) {
   return layout;
 }
 
-std::string titleOf(const TrajectoryStudy& study) {
-  if (study.particles.size() == 1) {
-    return fmt::format("{}: the way of the {} particle", study.scene.title, study.particles.front().label);
-  }
-  return fmt::format("{}: the way of {} particles", study.scene.title, study.particles.size());
+std::string whatIsCharted(const TrajectoryStudy& study) {
+  if (study.particles.size() == 1) return fmt::format("the way of the {} particle", study.particles.front().label);
+  return fmt::format("the way of {} particles", study.particles.size());
 }
 
 std::string subtitleOf(const Layout& layout) {
@@ -243,15 +241,29 @@ void addDistanceAxis(const TrajectoryStudy& study, std::size_t p, ChartScript& s
   script.add("  set yrange [1e{:g}:1e{:g}]\n", low, high);
 }
 
+/// What holds the rows of one particle by one run, of which gnuplot has many panels to draw.
+std::string blockOf(std::size_t run, std::size_t p) { return fmt::format("$run{}_{}", run, p); }
+
+/// Reads each curve once: t, x, y, z and distance. They are copied as texts, because numbers would be rounded.
+void addBlocks(const TrajectoryStudy& study, ChartScript& script) {
+  std::size_t skipped = 1;  // the header
+  for (std::size_t k = 0; k < study.runs.size(); ++k) {
+    const std::size_t rows = study.runs[k].times.size();
+    for (std::size_t p = 0; p < study.particles.size(); ++p, skipped += rows) {
+      script.add("set table {}  # {}, {}\n", blockOf(k, p), study.runs[k].method->name, study.particles[p].label);
+      script.add(
+          "plot 'plot.csv' skip {} every ::0::{} using (strcol(3)):(strcol(4)):(strcol(5)):(strcol(6))"
+          ":(strcol(7)) with table\n",
+          skipped, rows - 1);
+    }
+  }
+  script.add("unset table\nset datafile separator whitespace\n");
+}
+
 /// The finest run first, below all others; then the marks of all, each at other times.
 void addCurves(const TrajectoryStudy& study, std::size_t p, int column, ChartScript& script) {
-  const auto rows = [&](std::size_t k, const std::string& which) {
-    script.add("'plot.csv' skip 1 using (strcol(1) eq '{}' && strcol(2) eq {}{} ? $3 : NaN):{} with ",
-               study.runs[k].method->name, gnuplotQuoted(study.particles[p].label), which, column);
-  };
   const auto curve = [&](std::size_t k) {
-    rows(k, "");
-    script.add("lines {}", styleOf(k, study));
+    script.add("{} using 1:{} with lines {}", blockOf(k, p), column, styleOf(k, study));
   };
   script.add("  plot ");
   curve(study.finest);
@@ -265,8 +277,8 @@ void addCurves(const TrajectoryStudy& study, std::size_t p, int column, ChartScr
     const std::size_t every = std::max<std::size_t>(run.times.size() / kMarks, 1);
     const std::size_t first = every * (2 * k + 1) / (2 * study.runs.size());
     script.add(", \\\n       ");
-    rows(k, fmt::format(" && int($0) % {} == {}", every, first));
-    script.add("points pt {} ps {:g} lc rgb '{}'", gnuplotType(lookOf(run).mark) + 1, kMarkSize, colourOf(run));
+    script.add("{} every {}::{} using 1:{} with points pt {} ps {:g} lc rgb '{}'", blockOf(k, p), every, first, column,
+               gnuplotType(lookOf(run).mark) + 1, kMarkSize, colourOf(run));
   }
   script.add("\n");
 }
@@ -285,7 +297,7 @@ void addPanel(const Layout& layout, std::size_t row, std::size_t p, ChartScript&
   if (row == 0 && p == 0) addLegend(layout, script);
   const std::optional<std::size_t> coordinate = layout.rows[row];
   coordinate ? addCoordinateAxis(study, *coordinate, p, script) : addDistanceAxis(study, p, script);
-  constexpr int kFirstCoordinate = 4, kDistance = 7;  // columns of plot.csv
+  constexpr int kFirstCoordinate = 2, kDistance = 5;  // columns of a block
   addCurves(study, p, coordinate ? kFirstCoordinate + static_cast<int>(*coordinate) : kDistance, script);
   script.add("  unset label\n  unset arrow\n");
 }
@@ -298,9 +310,10 @@ std::string trajectoryScript(const TrajectoryStudy& study) {
   ChartScript script(layout.width, layout.height, kLetters, kDigits);
   script.add("# Draws plot.svg and plot.png from plot.csv:  gnuplot plot.gp\nset datafile separator comma\n");
   script.namePictures("plot");
+  addBlocks(study, script);
   script.beginPictures();
   script.add("  set grid lt 1 lc '#d0d0d0' lw 1\n  set xrange [0:{:.12g}]\n", study.scene.duration);
-  script.label(titleOf(study), {kLeft, 45}, {.colour = kInk, .scale = 1.35});
+  script.title(study.scene.title, whatIsCharted(study), {kLeft, 45});
   script.label(subtitleOf(layout), {kLeft, 95}, {.colour = "#555555"});
   for (std::size_t row = 0; row < layout.rows.size(); ++row) {
     for (std::size_t p = 0; p < study.particles.size(); ++p) addPanel(layout, row, p, script);

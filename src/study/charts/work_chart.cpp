@@ -77,7 +77,7 @@ void addDefinitions(const WorkChart& chart, const ChartPanel& panel, ChartScript
 
 /// The title and the smaller lines below it.
 void addHead(const WorkChart& chart, ChartScript& script) {
-  script.label(chart.title, {60, 50}, {.colour = kInk, .scale = 1.4});
+  script.title(chart.scene, "speed against accuracy", {60, 50});
   for (std::size_t k = 0; k < chart.notes.size(); ++k) {
     script.label(chart.notes[k], {60, 62 + 38 * double(k + 1)}, {.colour = kGrey});
   }

@@ -23,7 +23,7 @@ struct ErrorRange {
 
 /// What the chart shows and says.
 struct WorkChart {
-  std::string title;                           ///< the first line
+  std::string scene;                           ///< its title
   std::vector<std::string> notes;              ///< smaller lines below it
   std::vector<WorkRow> rows;                   ///< as in rows.csv beside the script
   double duration = 1;                         ///< simulated s of every run

@@ -74,9 +74,10 @@ void addAir(const Scene& scene, std::vector<std::string>& idle) {
   }
   for (std::size_t k = 0; k < scene.winds.size(); ++k) {
     const std::string name = fmt::format("wind {}", k + 1);
-    if (!addTimed(scene, scene.winds[k], length(scene.winds[k].velocity), name, idle) && !hasAir) {
-      idle.push_back(name + " blows where there is no air");
-    }
+    const Wind& wind = scene.winds[k];
+    if (addTimed(scene, wind, length(wind.velocity), name, idle)) continue;
+    if (!hasAir) idle.push_back(name + " blows where there is no air");
+    if (wind.wavelength > 0 && wind.gust == Vec3{}) idle.push_back(name + " has a wavelength, but no gust");
   }
 }
 

@@ -23,7 +23,8 @@ std::optional<double> firstTornElsewhere(const SampledMotion& a, const SampledMo
 std::string Tearing::words() const {
   if (!differs) return "";
   return fmt::format(
-      "compared until t = {:.3g} s: at {:.3g} s other springs are broken in a motion that differs by next to nothing",
+      "what tears is certain until t = {:.3g} s, and no later time is used: at {:.3g} s other springs are broken in a "
+      "motion that differs by next to nothing",
       scene.duration, *differs);
 }
 

@@ -47,11 +47,15 @@ std::vector<std::string> pastHorizonLines(const std::vector<PastHorizon>& runs) 
       band = larger(band, run.band);
     }
     if (count == 0) continue;
-    lines.push_back(fmt::format(
-        "past the horizon of {} {} in {}, distance from the reference (a twin's; runs within it): centre of "
-        "mass {:.2g} m ({:.2g}; {}), gyration radius {:.2g} m ({:.2g}; {}), energy {:.2g} J ({:.2g}; {})",
-        count, count == 1 ? "run" : "runs", nameOf(precision), most.centre, band.centre, centres, most.gyration,
-        band.gyration, gyrations, most.energy, band.energy, energies));
+    const auto part = [&](const char* what, double distance, const char* unit, int within, double spread) {
+      return fmt::format("{} up to {:.2g} {} away ({} within the twin's {:.2g} {})", what, distance, unit, within,
+                         spread, unit);
+    };
+    lines.push_back(fmt::format("{} in {} past the horizon, where whole cloths are compared: {}, {}, {}",
+                                count == 1 ? "1 run goes" : fmt::format("{} runs go", count), nameOf(precision),
+                                part("centre of mass", most.centre, "m", centres, band.centre),
+                                part("gyration radius", most.gyration, "m", gyrations, band.gyration),
+                                part("energy", most.energy, "J", energies, band.energy)));
   }
   return lines;
 }
@@ -71,8 +75,10 @@ std::vector<std::string> horizonLines(const std::vector<WorkRow>& rows, double d
     }
     if (count == 0) continue;
     const std::string to = last > first ? fmt::format(" to {:.3g}", last) : "";
-    lines.push_back(fmt::format("in {} T* = {:.3g}{} s of {:.3g} s for {} of {} {}", nameOf(precision), first, to,
-                                duration, count, all, all == 1 ? "run" : "runs"));
+    const std::string from =
+        last > 0 ? fmt::format("from T* = {:.3g}{} s of {:.3g} s on", first, to, duration) : "from the start";
+    lines.push_back(
+        fmt::format("{} of {} {} in {} {}", count, all, all == 1 ? "run" : "runs", nameOf(precision), from));
   }
   return lines;
 }
