@@ -10,7 +10,7 @@ source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/driving.sh"
 
 # Every key but Esc, as xdotool names it.
 keys=(space space comma period semicolon apostrophe j r w a s d q e f bracketleft bracketright v m Return k o c g t equal
-  slash y z h l x n p i u b F1 F2 F3 F4 question left right up down ctrl+c ctrl+z ctrl+y {0..9} minus)
+  slash y z h l x n p i u b F1 F2 F3 F4 question Left Right Up Down ctrl+c ctrl+z ctrl+y {0..9} minus)
 width=${screen%x*} height=${screen#*x}
 RANDOM=$seed
 some_key() { key=${keys[RANDOM % ${#keys[@]}]}; }

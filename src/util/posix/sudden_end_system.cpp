@@ -9,16 +9,35 @@
 namespace tyg {
 namespace {
 
-/// Signals that end a process which does not handle them.
-constexpr std::array kDeadly{SIGHUP,  SIGINT,  SIGTERM, SIGQUIT, SIGPIPE, SIGALRM, SIGUSR1, SIGUSR2,
-                             SIGXCPU, SIGABRT, SIGSEGV, SIGBUS,  SIGFPE,  SIGILL,  SIGSYS,  SIGVTALRM};
+/// Signals that end a process which does not handle them, and those of them that tell of a fault.
+constexpr std::array kDeadly{SIGHUP,  SIGINT,  SIGTERM, SIGQUIT, SIGPIPE, SIGALRM,
+                             SIGUSR1, SIGUSR2, SIGXCPU, SIGABRT, SIGSYS,  SIGVTALRM};
+constexpr std::array kFaults{SIGSEGV, SIGBUS, SIGFPE, SIGILL};
+
+/// A fault happens again where it happened once this has returned, so that the system's log and a core dump name its
+/// place. A signal that a program has sent has no such place.
+extern "C" void endByFault(int signal, siginfo_t* cause, void* /*context*/) {
+  if (cause->si_code <= 0) return endBySignal(signal);
+  clearUnfinished();
+  (void)std::signal(signal, SIG_DFL);
+}
+
+bool hasNoHandler(int signal) {
+  struct sigaction now {};
+  return sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_DFL;
+}
 
 }  // namespace
 
 void catchSuddenEnds() {
   for (const int signal : kDeadly) {
-    struct sigaction now {};
-    if (sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_DFL) (void)std::signal(signal, endBySignal);
+    if (hasNoHandler(signal)) (void)std::signal(signal, endBySignal);
+  }
+  struct sigaction onFault {};
+  onFault.sa_sigaction = endByFault;
+  onFault.sa_flags = SA_SIGINFO;
+  for (const int signal : kFaults) {
+    if (hasNoHandler(signal)) sigaction(signal, &onFault, nullptr);
   }
   (void)std::signal(SIGXFSZ, SIG_IGN);
 }

@@ -2,6 +2,8 @@
 #include "util/sudden_end.h"
 
 #include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <sys/ptrace.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,6 +14,7 @@
 #include "files.h"
 #include "util/child_process.h"
 #include "util/interrupt.h"
+#include "util/sudden_end_system.h"
 #include "util/whole_file.h"
 
 namespace tyg {
@@ -32,7 +35,7 @@ int statusOf(const Work& work) {
 
 TEST(SuddenEnd, NoSignalLeavesAnUnfinishedFile) {
   const Folder folder;
-  for (const int signal : {SIGHUP, SIGINT, SIGTERM, SIGQUIT, SIGPIPE, SIGXCPU, SIGUSR1, SIGABRT}) {
+  for (const int signal : {SIGHUP, SIGINT, SIGTERM, SIGQUIT, SIGPIPE, SIGXCPU, SIGUSR1, SIGABRT, SIGILL}) {
     const int status = statusOf([&] {
       WholeFile file(folder / "a.csv");
       file.write("half");
@@ -41,6 +44,43 @@ TEST(SuddenEnd, NoSignalLeavesAnUnfinishedFile) {
     EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << signal;
     EXPECT_EQ(folder.fileCount(), 0U) << signal;
   }
+}
+
+/// What a debugger sees of the last signal that a process gets which does this; nothing where none is allowed.
+template <class Work>
+siginfo_t lastSignalOf(const Work& work, int& status) {
+  const pid_t child = fork();
+  if (child == 0) {
+    ptrace(PTRACE_TRACEME);
+    work();
+    _exit(0);
+  }
+  siginfo_t last{};
+  while (waitpid(child, &status, 0) == child && WIFSTOPPED(status)) {
+    ptrace(PTRACE_GETSIGINFO, child, nullptr, &last);
+    ptrace(PTRACE_CONT, child, nullptr, WSTOPSIG(status));
+  }
+  return last;
+}
+
+TEST(SuddenEnd, AFaultLeavesNoUnfinishedFileAndEndsTheProcessWhereItHappened) {
+  const Folder folder;
+  void* const forbidden = mmap(nullptr, 1, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  ASSERT_NE(forbidden, MAP_FAILED);
+  int status = 0;
+  const siginfo_t last = lastSignalOf(
+      [&] {
+        (void)std::signal(SIGSEGV, SIG_DFL);  // sanitizers have a handler of their own
+        catchSuddenEnds();
+        WholeFile file(folder / "a.csv");
+        file.write("half");
+        *static_cast<volatile char*>(forbidden) = 1;
+      },
+      status);
+  munmap(forbidden, 1);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGSEGV);
+  EXPECT_TRUE(last.si_signo == 0 || last.si_addr == forbidden);
+  EXPECT_EQ(folder.fileCount(), 0U);
 }
 
 TEST(SuddenEnd, NeitherDoExitNorAnExceptionThatNobodyCatches) {
