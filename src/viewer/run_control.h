@@ -45,7 +45,7 @@ class RunControl {
   void goOn();
   /// One tick on, and pauses.
   void step();
-  void stepBack() { turnTo(shown_.tick() - 1); }
+  void stepBack() { turnTo((seeking() ? history_.target() : shown_.tick()) - 1); }
   /// Pauses at the kept tick nearest to this time, s.
   void turnToTime(double time);
   /// Shows the last second again, slowly.

@@ -14,6 +14,9 @@ namespace {
 /// Sheet sizes: of a cloth that is let break and is larger than this there is nothing to see.
 constexpr double kMostSizes = 1000;
 
+/// A cloth on a device that has grown by more than this since its energy was last looked at is looked at first.
+constexpr float kSuspicious = 1.25F;
+
 /// Not so large that boxAround() would leave it out.
 bool isUsual(const std::array<float, 3>& corner) {
   constexpr float kFarthest = 1e15F;  // m
@@ -37,15 +40,18 @@ bool ShownState::take(const Simulation& simulation, bool pastAlarm) {
   positions_.swap(next_);
   onDevice_.reset();
   note(simulation, glance.ledger.kinetic, boxAround(positions_));
+  lookedAt_ = box_.size();
   return true;
 }
 
 bool ShownState::follow(const Simulation& simulation) {
   auto onDevice = simulation.status() == Status::Ok ? simulation.positionsOnDevice() : nullptr;
   if (!onDevice || !isUsual(onDevice->low()) || !isUsual(onDevice->high())) return take(simulation, false);
+  const Box box{vec(onDevice->low()), vec(onDevice->high())};
+  if (box.size() > kSuspicious * lookedAt_) return take(simulation, false);
   onDevice_ = std::move(onDevice);
   isRead_ = false;
-  note(simulation, simulation.checkedKinetic(), {vec(onDevice_->low()), vec(onDevice_->high())});
+  note(simulation, simulation.checkedKinetic(), box);
   return true;
 }
 

@@ -19,7 +19,8 @@ class ShownState {
   /// unless `pastAlarm`, where the alarm says that it is wrong. Allocates nothing but for another number of particles.
   bool take(const Simulation& simulation, bool pastAlarm);
   /// The same for states that follow each other and are no later than the alarm. What a device has in the context that
-  /// draws stays there until somebody asks for positions: then the last energy check counts, and no new one is made.
+  /// draws stays there until somebody asks for positions: then the last energy check counts, and no new one is made,
+  /// unless the cloth has grown.
   bool follow(const Simulation& simulation);
 
   /// What was done to the sheet at the shown time without time passing.
@@ -50,6 +51,7 @@ class ShownState {
   double time_ = 0, kinetic_ = 0;
   std::int64_t tick_ = 0;
   Box box_;
+  float lookedAt_ = 0;  // m, size of the box when the energy was last looked at
   Sheet sheet_;
   std::vector<int> held_;
 };

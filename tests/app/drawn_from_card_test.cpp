@@ -168,5 +168,25 @@ TEST_F(DrawnFromCard, AFailureIsFoundAtTheTickWhereTheProcessorFindsIt) {
   EXPECT_EQ(failAt(device_), failAt(nullptr));
 }
 
+// Between two energy checks a cloth on the card grows out of every window, and the camera would go after it.
+TEST_F(DrawnFromCard, AClothThatBlowsUpDoesNotTakeTheCameraAway) {
+  Scene scene = loadScene("curtain", methodNames());
+  scene.precision = Precision::Float, scene.integrator = "leapfrog", scene.dt = 0.0028;
+  const auto eyeAfterFailure = [&](const std::shared_ptr<Device>& device) {
+    now_ = 100;
+    Viewer viewer(scene, Settings{.threads = 1, .device = device}, [this] { return now_; });
+    viewer.resize(kWindow, {});
+    viewer.perform(InputAction::StartOrPause);
+    for (int count = 0; count < 60; ++count) {
+      now_ += 1.0 / 60;
+      viewer.frame();
+    }
+    EXPECT_EQ(viewer.run().state(), RunState::Frozen);
+    return viewer.view().camera().eye();
+  };
+  const glm::vec3 eye = eyeAfterFailure(device_), expected = eyeAfterFailure(nullptr);
+  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(eye[axis], expected[axis], 0.01) << axis;
+}
+
 }  // namespace
 }  // namespace tyg

@@ -48,6 +48,7 @@ TEST(Render, FollowsTheLookOfTheSceneUnlessItIsToldOtherwise) {
   };
   const std::string flag = picture("flag"), curtain = picture("curtain");
   EXPECT_EQ(picture("flag --look surface"), flag);
+  EXPECT_EQ(picture("flag --show lines"), picture("flag --look lines"));
   EXPECT_NE(picture("flag --look lines"), flag);
   EXPECT_NE(picture("flag --look both"), flag);
   EXPECT_EQ(picture("curtain --look lines"), curtain);
@@ -106,6 +107,32 @@ TEST(Render, AndExportSayWhereTheirFramesGoPastTheEndOfTheRun) {
   }
   for (const std::string& within : {picture + " --at 0.1", frames + " --to 0.1", frames}) {
     EXPECT_FALSE(holds(tyg(within).err, "after the end")) << within;
+  }
+}
+
+TEST(Render, AndExportSayWhereNoFrameIsDueAtTheEndThatWasAskedFor) {
+  const Folder folder;
+  const std::string frames = "export curtain --fps 13 --out " + (folder / "a.usda").string();
+  const Outcome outcome = tyg(frames + " --from 0.1 --to 0.75");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(holds(outcome.err, "the last frame is at 0.715385 s, because none is due at 0.75 s")) << outcome.err;
+  EXPECT_EQ(tyg(frames + " --from 0.1 --to 1.1").err, "");
+}
+
+TEST(Render, ShowsAllOfALargeSheet) {
+  const Folder folder;
+  for (const char* sheet : {"101x101", "200x200", "256x256"}) {
+    const auto file = folder / "a.png";
+    const Outcome outcome = tyg(std::string("render curtain --sheet ") + sheet +
+                                " --look surface --at 0 --size 320x180 --out " + file.string());
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Picture picture = readPicture(file);
+    const auto isCloth = [&](int x, int y) {  // blue, or a pin; neither sky nor ground comes near them
+      const std::uint8_t* p = &picture.rgba[4 * (std::size_t(y) * 320 + std::size_t(x))];
+      return p[2] > p[0] + 40 || p[0] > p[2] + 40;
+    };
+    for (int y = 0; y < 180; ++y) EXPECT_FALSE(isCloth(0, y) || isCloth(319, y)) << sheet << ", row " << y;
+    for (int x = 0; x < 320; ++x) EXPECT_FALSE(isCloth(x, 0) || isCloth(x, 179)) << sheet << ", column " << x;
   }
 }
 

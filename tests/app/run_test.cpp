@@ -38,6 +38,7 @@ const std::vector<std::string> kKeys{"scene",
                                      "dissipated_J",
                                      "ledger_drift",
                                      "max_stretch",
+                                     "broken_springs",
                                      "stable_dt",
                                      "hash",
                                      "status"};
@@ -49,6 +50,23 @@ TEST(Run, JsonIsOneObjectWithTheAgreedKeysInOrder) {
   EXPECT_EQ(outcome.code, 0);
   EXPECT_TRUE(isFlatJson(outcome.out)) << outcome.out;
   EXPECT_EQ(jsonKeys(outcome.out), kKeys);
+}
+
+TEST(Run, CountsTheSpringsThatCutsHaveTaken) {
+  EXPECT_EQ(jsonValue(json("curtain --duration 0.01"), "broken_springs"), "0");
+  EXPECT_FALSE(holds(tyg("run curtain --duration 0.01").out, "broken"));
+  const Folder folder;
+  const std::string sheet =
+      "title = 'Cut'\n[sheet]\ncolumns = 4\nrows = 2\nspacing = 0.1\nparticle_mass = 0.01\npins = ['top']\n"
+      "[run]\nintegrator = 'rk4'\ndt = 0.001\nduration = 0.01\n[[cut]]\nfrom = [1.5, -1]\nto = [1.5, 2]\nat = 0\n"
+      "[springs]\nstructural = { ks = 50 }\nshear = { ks = 50 }\n";
+  // Two springs along the rows, and both diagonals of the cell between them.
+  const std::string file = folder.write("cut.toml", sheet).string();
+  EXPECT_EQ(jsonValue(json(file), "broken_springs"), "4") << tyg("run " + file).err;
+  EXPECT_TRUE(holds(tyg("run " + file).out, "broken        4 springs, cut or torn"));
+  // And two bend springs over it.
+  const std::string bent = folder.write("bent.toml", sheet + "bend = { ks = 5 }\n").string();
+  EXPECT_EQ(jsonValue(json(bent), "broken_springs"), "8");
 }
 
 TEST(Run, JsonComesAfterAFailureToo) {

@@ -288,5 +288,22 @@ TEST_F(PushedLaterViewerTest, AClothWithAPushStillToComeStaysAwake) {
   EXPECT_GT(viewer_.run().shown().time(), 3.5);
 }
 
+TEST_F(ViewerTest, EveryStepBackCountsWhileAnEarlierOneIsOnItsWay) {
+  viewer_.perform(InputAction::StartOrPause);
+  frames(60);
+  viewer_.perform(InputAction::StartOrPause);
+  const std::int64_t before = viewer_.run().shown().tick();
+  look_ = 0.02;  // a slow machine
+  for (int count = 0; count < 5; ++count) {
+    viewer_.perform(InputAction::StepBack);
+    EXPECT_TRUE(viewer_.run().seeking());
+    frames(1);
+  }
+  look_ = 0;
+  frames(60);
+  EXPECT_FALSE(viewer_.run().seeking());
+  EXPECT_EQ(viewer_.run().shown().tick(), before - 5);
+}
+
 }  // namespace
 }  // namespace tyg

@@ -36,7 +36,7 @@ int exportChosen(const ExportOptions& options) {
   const Scene scene = chosenScene(options.scene);
   ExportRequest request;
   request.times = chosenFrames(options.frames, scene, request.fps);
-  sayPastTheEnd("tyg export", request.times.back(), scene);
+  sayLastFrame("tyg export", request.times.back(), options.frames, scene);
   request.fps = options.frames.fps.value_or(request.fps);
   request.out = options.out.value_or(fileStem(scene.name) + ".usda");
   request.threads = options.scene.threads.value_or(0);

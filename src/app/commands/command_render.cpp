@@ -68,7 +68,7 @@ int renderChosen(const RenderOptions& options) {
   RenderRequest request;
   request.show = chosenShow(options.look, scene);
   request.times = chosenTimes(scene, options);
-  sayPastTheEnd("tyg render", request.times.back(), scene);
+  sayLastFrame("tyg render", request.times.back(), options.frames, scene);
   request.fps = options.frames.fps.value_or(request.fps);
   const auto [width, height] = parsePair(options.size);
   request.size = {width, height};

@@ -57,8 +57,9 @@ struct FrameWords {
 void addFrameOptions(Command& command, FrameOptions& options, const FrameWords& words);
 /// The times of the frames, s, both ends included. Throws InputError.
 std::vector<double> chosenFrames(const FrameOptions& options, const Scene& scene, double usualFps);
-/// Says on standard error where frames up to this time, s, need the cloth to move on past the end of the run.
-void sayPastTheEnd(const char* command, double last, const Scene& scene);
+/// Says on standard error where the last frame, at this time, s, is earlier than was asked for, or where it needs the
+/// cloth to move on past the end of the run.
+void sayLastFrame(const char* command, double last, const FrameOptions& options, const Scene& scene);
 
 /// How to draw the cloth, besides what its scene says.
 struct LookOptions {

@@ -38,7 +38,13 @@ std::vector<double> chosenFrames(const FrameOptions& options, const Scene& scene
   return frameTimes(from, to, fps);
 }
 
-void sayPastTheEnd(const char* command, double last, const Scene& scene) {
+void sayLastFrame(const char* command, double last, const FrameOptions& options, const Scene& scene) {
+  constexpr double kRounding = 1e-9;
+  if (options.to && last < (1 - kRounding) * *options.to) {
+    std::cerr << fmt::format("{}: the last frame is at {:g} s, because none is due at {:g} s", command, last,
+                             *options.to)
+              << std::endl;
+  }
   if (last <= scene.duration) return;
   std::cerr << fmt::format("{}: {:g} s is after the end of the run at {:g} s; the cloth moves on until then", command,
                            last, scene.duration)

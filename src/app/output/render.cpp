@@ -32,8 +32,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kCommand = "tyg render";
-constexpr std::size_t kFramingPoints = 2000;  // particles that the view is fitted to, at each time
-constexpr int kLargestSmooth = 4096;          // pixels wide and high
+constexpr double kFramingPoints = 2000;  // particles that the view is fitted to, about, at each time
+constexpr int kLargestSmooth = 4096;     // pixels wide and high
 
 bool isFolder(const fs::path& path) {
   std::error_code none;
@@ -51,15 +51,24 @@ Form formOf(const fs::path& out) {
 
 Settings settingsOf(const RenderRequest& request) { return {.threads = request.threads, .device = request.device}; }
 
+std::size_t columnsOf(MovingScene& motion) { return static_cast<std::size_t>(motion.simulation().sheet().columns); }
+
 /// Gathers what a still view has to hold.
 class Framing {
  public:
-  void include(std::span<const float> xyz, std::span<const Body> bodies) {
+  /// `columns` of the sheet.
+  void include(std::span<const float> xyz, std::size_t columns, std::span<const Body> bodies) {
     const Box here = boxAround(xyz);
     addBodyPoints(bodies, here, points_);
     all_ = all_ ? all_->with(here) : here;
-    const std::size_t step = 3 * std::max<std::size_t>(xyz.size() / 3 / kFramingPoints, 1);
-    for (std::size_t i = 0; i < xyz.size(); i += step) points_.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
+    const std::size_t count = xyz.size() / 3, rows = count / columns;
+    const auto stride = static_cast<std::size_t>(std::ceil(std::sqrt(double(count) / kFramingPoints)));
+    for (const std::size_t row : spread(rows, stride)) {
+      for (const std::size_t column : spread(columns, stride)) {
+        const float* p = &xyz[3 * (row * columns + column)];
+        points_.emplace_back(p[0], p[1], p[2]);
+      }
+    }
   }
   [[nodiscard]] Camera camera(glm::ivec2 size) const {
     Camera camera;
@@ -69,6 +78,14 @@ class Framing {
   }
 
  private:
+  /// Every stride-th number below `count`, and the last: the corners of a sheet count most.
+  static std::vector<std::size_t> spread(std::size_t count, std::size_t stride) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t k = 0; k + 1 < count; k += stride) numbers.push_back(k);
+    numbers.push_back(count - 1);
+    return numbers;
+  }
+
   std::optional<Box> all_;
   std::vector<glm::vec3> points_;
 };
@@ -171,7 +188,7 @@ int renderPicture(const Scene& scene, const RenderRequest& request) {
   Studio studio = openStudio(motion.simulation(), request);
   if (!motion.reach(time)) return sayStopped(kCommand, motion.simulation(), progress);
   Framing framing;
-  framing.include(motion.xyz(), motion.bodies());
+  framing.include(motion.xyz(), columnsOf(motion), motion.bodies());
   Camera camera = framing.camera(request.size);
   writePng(studio.draw(motion, camera), request.out);
   return kDone;
@@ -186,7 +203,7 @@ int renderSequence(const Scene& scene, const RenderRequest& request) {
   Framing framing;
   for (const double time : request.times) {
     if (!scout.reach(time)) return sayStopped(kCommand, scout.simulation(), progress);
-    framing.include(scout.xyz(), scout.bodies());
+    framing.include(scout.xyz(), columnsOf(scout), scout.bodies());
   }
   Camera camera = framing.camera(request.size);
 

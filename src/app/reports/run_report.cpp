@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -11,6 +12,7 @@
 #include "app/reports/json.h"
 #include "core/forces/term.h"
 #include "core/forces/terms/contact.h"
+#include "core/forces/terms/springs.h"
 #include "core/scene/bodies.h"
 #include "core/simulation/timetable.h"
 #include "study/diet/idle_terms.h"
@@ -167,6 +169,23 @@ std::string energyLines(const FinishedRun& run) {
                             100 * now.maxStretch);
 }
 
+/// Springs that cuts and tears have taken, of the families that the scene has.
+int brokenSprings(const Simulation& simulation) {
+  const Scene& scene = simulation.scene();
+  const Sheet& sheet = simulation.sheet();
+  constexpr std::pair<Family, Missing::Bit> kBits[]{
+      {Family::Structural, Missing::Right}, {Family::Structural, Missing::Down}, {Family::Shear, Missing::DownRight},
+      {Family::Shear, Missing::DownLeft},   {Family::Bend, Missing::Right2},     {Family::Bend, Missing::Down2},
+  };
+  int count = 0;
+  for (const auto& [family, bit] : kBits) {
+    for (int particle = 0; particle < sheet.count() && familyOf(scene, family).present(); ++particle) {
+      count += sheet.missing.has(particle, bit) ? 1 : 0;
+    }
+  }
+  return count;
+}
+
 }  // namespace
 
 std::string runJson(const FinishedRun& run) {
@@ -205,6 +224,7 @@ std::string runJson(const FinishedRun& run) {
       {"dissipated_J", run.followsLoss ? run.ledger.dissipated : kUnknown},
       {"ledger_drift", run.followsLoss && run.ledger.scale > 0 ? run.ledger.drift : kUnknown},
       {"max_stretch", run.ledger.maxStretch},
+      {"broken_springs", brokenSprings(simulation)},
       {"stable_dt", run.stableStep},
       {"hash", hashText(simulation)},
       {"status", nameOf(simulation.status())},
@@ -226,6 +246,8 @@ std::string runSummary(const FinishedRun& run) {
   }
   const std::string device = sentenceOn(run.device);
   if (!device.empty()) text += "\ndevice        " + device;
+  const int broken = brokenSprings(simulation);
+  if (broken > 0) text += fmt::format("\nbroken        {} spring{}, cut or torn", broken, broken == 1 ? "" : "s");
   return text + fmt::format("\n{}{}\n{}{}hash          {}\nstatus        {}\n", energyLines(run), stableStepLine(run),
                             contactRemark(run), roundingRemark(run), hashText(simulation), nameOf(simulation.status()));
 }
