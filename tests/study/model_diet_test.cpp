@@ -187,6 +187,9 @@ class Neighbours {
 };
 
 TEST(Diet, IsTheSameBesideBusyNeighbours) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "the sanitizer's checks cost more than the steps whose cost is measured here";
+#endif
   const Scene scene = swingingSheet();
   const Reference reference = makeReference(scene, 1, [](double) { return true; });
   const auto words = [&] {
