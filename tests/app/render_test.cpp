@@ -146,9 +146,9 @@ TEST(Render, MakesAMovie) {
 TEST(Render, EndingsMayBeLargeLettersAndTooFewFramesAreToldSo) {
   const Folder folder;
   EXPECT_EQ(tyg("render curtain --size 64x48 --out " + (folder / "a.PNG").string()).code, 0);
-  const Outcome short_ = tyg("render curtain --from 0 --to 0.01 --out " + (folder / "a.mp4").string());
-  EXPECT_EQ(short_.code, 2);
-  EXPECT_TRUE(holds(short_.err, "less than one frame")) << short_.err;
+  const Outcome tooShort = tyg("render curtain --from 0 --to 0.01 --out " + (folder / "a.mp4").string());
+  EXPECT_EQ(tooShort.code, 2);
+  EXPECT_TRUE(holds(tooShort.err, "less than one frame")) << tooShort.err;
 }
 
 TEST(View, WithoutADisplayDrawsFilesAndReplacesNone) {

@@ -321,7 +321,7 @@ TEST(Run, SampledNumbersReadBackToTheSameBits) {
   const Scene scene = loadScene("spring");
   Simulation simulation(scene, findMethod(scene.integrator));
   simulation.advanceTo(scene.duration);
-  const std::string text = contentsOf(file), last = text.substr(text.rfind("\n", text.size() - 2) + 1);
+  const std::string text = contentsOf(file), last = text.substr(text.rfind('\n', text.size() - 2) + 1);
   std::istringstream row(last);
   std::string field;
   for (int skipped = 0; skipped < 4; ++skipped) std::getline(row, field, ',');

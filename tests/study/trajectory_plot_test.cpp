@@ -35,12 +35,14 @@ Scene square() {
 
 std::vector<std::string> labels(const std::vector<ChartedParticle>& particles) {
   std::vector<std::string> names;
+  names.reserve(particles.size());
   for (const ChartedParticle& particle : particles) names.push_back(particle.label);
   return names;
 }
 
 TrajectoryStudy follow(const Scene& scene, const std::vector<const char*>& names) {
   std::vector<const Method*> methods;
+  methods.reserve(names.size());
   for (const char* name : names) methods.push_back(&findMethod(name));
   return followParticles(scene, usualParticles(scene), methods, 1, kNeverStop);
 }
