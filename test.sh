@@ -22,8 +22,8 @@ done
 # What is found stays in build/fuzz/found; an input that fails is written to build/fuzz, and belongs into tests/fuzz/corpus.
 fuzz() {
   local kind seconds=15
-  .ci/build fuzz fuzz_scene fuzz_log fuzz_rows fuzz_arguments || return 1
-  for kind in scene log rows arguments; do
+  .ci/build fuzz fuzz_scene fuzz_log fuzz_rows fuzz_motion fuzz_arguments || return 1
+  for kind in scene log rows motion arguments; do
     mkdir -p "build/fuzz/found/$kind"
     "build/fuzz/tests/fuzz_$kind" -max_total_time=$seconds -timeout=20 -close_fd_mask=3 -print_final_stats=1 \
       -artifact_prefix="build/fuzz/$kind-" "build/fuzz/found/$kind" "tests/fuzz/corpus/$kind" \
