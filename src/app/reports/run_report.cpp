@@ -243,10 +243,9 @@ std::string runPlan(const Simulation& simulation) {
   text += scene.damping == Damping::Relative ? "relative damping\n" : "axial damping\n";
   text += fmt::format("spacing {:.4g} m, particle mass {:.4g} kg", scene.spacing, scene.particleMass);
   for (const ForceTerm* term : forceTerms()) {
+    if (term->family || !hasTerm(scene, *term)) continue;
     const bool isContact = term == &ContactTerm::kTerm;  // its bodies have lines of their own
-    if (term->family || (isContact && !hasTerm(scene, *term))) continue;
     for (const Parameter& parameter : term->parameters) {
-      if (!parameter.decidesPresence && !hasTerm(scene, *term)) continue;
       if (parameter.ofList && parameter.get(scene) == Vec3{}) continue;  // still air has no wind, a wind need not gust
       if (isContact && (parameter.ofList || (parameter.acts != nullptr && !parameter.acts(scene)))) continue;
       text += fmt::format(", {} {}", parameter.label, valueText(parameter, scene));
