@@ -163,8 +163,9 @@ std::string energyLines(const FinishedRun& run) {
   if (!run.followsLoss && !isDamped(run.simulation.scene()) && std::abs(gained) > kWorthTelling * now.scale) {
     text += fmt::format("losses        nothing here damps; {}\n", byMethod(now, gained));
   }
-  return text + fmt::format("stretch       springs up to {:.3g} % longer than at rest (checked every 64 steps)\n",
-                            100 * now.maxStretch);
+  return text +
+         fmt::format("stretch       springs up to {:.3g} % longer than at rest (seen every 64 steps, not between)\n",
+                     100 * now.maxStretch);
 }
 
 }  // namespace
