@@ -204,7 +204,7 @@ double stableStep(double w2, double /*d*/) { return positiveRoot(w2, 0); }
 Method imexMethod() {
   return {.name = "imex",
           .label = "IMEX",
-          .scheme = "position Verlet, damping by implicit midpoint",
+          .scheme = "position Verlet, damping by implicit midpoint; order 1 where contact has damping or friction",
           .order = 2,
           .evaluationsPerStep = 1,
           .stableStep = stableStep,

@@ -37,6 +37,17 @@ TEST(AdviceReport, SaysThatAPromiseHoldsOnlyWhereTheClockDoesNotGainsayIt) {
   EXPECT_TRUE(says(scene, advice, "The promise does NOT hold."));
 }
 
+TEST(AdviceReport, OfAnErrorSaysWhereTheClockFoundAMuchHigherCost) {
+  const Scene scene = loadScene("curtain", methodNames());
+  Advice advice = promised(scene);
+  advice.request = {.error = 1e-3};
+  advice.measured = 1.3 * advice.promise->seconds;
+  EXPECT_FALSE(says(scene, advice, "The cost came out higher"));
+  advice.measured = 1.7 * advice.promise->seconds;
+  EXPECT_TRUE(says(scene, advice, "The promise holds."));
+  EXPECT_TRUE(says(scene, advice, "The cost came out higher"));
+}
+
 /// A device that nobody asks for an integrator.
 class NamedDevice final : public Device {
  public:

@@ -50,6 +50,8 @@ TEST(Limit, NamesOnlySpringsWithDampingWhereDampingSetsTheLimit) {
   EXPECT_TRUE(holds(springs.out, "damping of structural springs")) << springs.out;
   const Outcome drag = tyg("limit --ks 100 --drag 100 --mass 18g --methods leapfrog");
   EXPECT_TRUE(holds(drag.out, "drag on the particles")) << drag.out;
+  const Outcome both = tyg("limit --ks 100 --kd 1 --drag 100 --mass 18g --methods leapfrog --json");
+  EXPECT_EQ(jsonValue(both.out, "methods/0/set_by"), "\"drag\"");
 }
 
 TEST(Limit, RefusesWhatIsMissingOrIsNoNumber) {

@@ -103,7 +103,9 @@ TEST(Bodies, NamesAreTheirOwn) {
   };
   const std::string scene = kSheet + kContact + kBall;
   said(scene + kBall, "bodies.toml:21: key body.name: found the name of another body, ball, allowed a name of its own");
-  for (const char* name : {"top", "middle", "corners", ""}) {
+  said(bodyOf("name = ''\nshape = 'plane'\nat = [0, 0, 0]\n"),
+       "bodies.toml:16: key body.name: found \"\", allowed a name of at least one character");
+  for (const char* name : {"top", "middle", "corners"}) {
     said(bodyOf("name = '" + std::string(name) + "'\nshape = 'plane'\nat = [0, 0, 0]\n"),
          "bodies.toml:16: key body.name: found \"" + std::string(name) + "\", allowed a name that no particle");
   }

@@ -156,6 +156,18 @@ TEST(Alarm, IsRaisedByAJitterInTheWindWhichItsDampingHolds) {
   EXPECT_NE(above.status(), Status::Ok);
 }
 
+TEST(Alarm, IsTheSameWhetherOrNotTheLedgerIsFollowed) {
+  Scene scene = withSheet(loadScene("flag"), 8, 6);
+  const Method& method = findMethod("rk4");
+  for (const double share : {1.05, 1.12}) {
+    scene.dt = share * restLatticeLimit(scene, method);
+    Simulation without(scene, method), with(scene, method, {.ledger = true});
+    without.advanceTo(2), with.advanceTo(2);
+    EXPECT_NE(without.status(), Status::Ok) << share;
+    EXPECT_EQ(without.alarmTime(), with.alarmTime()) << share;
+  }
+}
+
 /// Between two energy checks a body may have hit and gone.
 TEST(Alarm, IsNotRaisedByBlowsOfABodyThatMoves) {
   Scene scene = curtain(0.1);

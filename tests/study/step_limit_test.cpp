@@ -219,6 +219,22 @@ TEST(FirstMode, OfStrongStructuralDampingIsTheCheckerboardOutOfPlane) {
   EXPECT_TRUE(limit.byDamping);
 }
 
+TEST(FirstMode, NamesTheTermThatDoesMostOfTheDampingWhereThatIsNotTheSprings) {
+  Scene scene = emptyWorld(8, 8);
+  scene.spacing = 0.1, scene.particleMass = 0.01;
+  scene.structural = {50, 0.01};
+  const auto words = [&](const char* method) { return describe(scene, stepLimit(scene, findMethod(method))); };
+  scene.drag = 10;
+  EXPECT_EQ(words("leapfrog"), "checkerboard in plane, q = (3.14, 3.14), set by drag, not the springs");
+  scene.drag = 0;
+  scene.air.density = 100;
+  scene.winds = {{.velocity = {0, 30, 0}}};
+  EXPECT_EQ(words("leapfrog"), "the whole sheet out of plane, q = (0.00, 0.00), set by air, not the springs");
+  EXPECT_EQ(words("rkc2"), "the whole sheet out of plane, q = (0.00, 0.00), set by air, not the springs");
+  scene.structural.kd = 50;
+  EXPECT_TRUE(words("leapfrog").ends_with("set by damping")) << words("leapfrog");
+}
+
 TEST(FirstMode, OfAChainIsEachParticleAgainstTheNext) {
   const Scene scene = hangingChain(20, 0.1, 0.01, {1000, 0});
   EXPECT_EQ(appearanceOf(scene, stepLimit(scene, findMethod("leapfrog"))), "each against the next");

@@ -85,6 +85,12 @@ std::string verdictText(const Scene& scene, const Advice& advice) {
   } else if (advice.met) {
     text += advice.held ? "The promise holds.\n" : "The promise does NOT hold.\n";
   }
+  constexpr double kMuchMore = 1.5;
+  if (advice.request.error > 0 && advice.measured > kMuchMore * advice.promise->seconds) {
+    text +=
+        "It is one of the error alone. The cost came out higher: the machine was\n"
+        "probably busier now than when the price of a step was measured.\n";
+  }
   if (advice.beyondReference()) {
     text +=
         "The error cannot be known better: the two exact methods differ by " + lengthText(advice.uncertainty) + ".\n";

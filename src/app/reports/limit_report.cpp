@@ -34,7 +34,7 @@ std::string withAnd(const std::vector<std::string>& words) {
 std::string setBy(const LimitOfMethod& of) {
   if (std::isnan(of.limit.predicted)) return of.method->whyNoLimit.empty() ? "nothing" : "nothing: stable at any step";
   if (of.limit.predicted == 0) return "a lack of damping";
-  if (of.springs.empty()) return "drag on the particles";
+  if (of.limit.damper != nullptr) return fmt::format("{} on the particles", of.limit.damper->name);
   return fmt::format("{} of {} springs", causeOf(of.limit), withAnd(of.springs));
 }
 

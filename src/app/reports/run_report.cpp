@@ -165,8 +165,9 @@ std::string energyLines(const FinishedRun& run) {
   if (!run.followsLoss && !isDamped(run.simulation.scene()) && std::abs(gained) > kWorthTelling * now.scale) {
     text += fmt::format("losses        nothing here damps; {}\n", byMethod(now, gained));
   }
-  return text + fmt::format("stretch       springs up to {:.3g} % longer than at rest (checked every 64 steps)\n",
-                            100 * now.maxStretch);
+  return text +
+         fmt::format("stretch       springs up to {:.3g} % longer than at rest (seen every 64 steps, not between)\n",
+                     100 * now.maxStretch);
 }
 
 /// Springs that cuts and tears have taken, of the families that the scene has.
@@ -265,10 +266,9 @@ std::string runPlan(const Simulation& simulation) {
   text += scene.damping == Damping::Relative ? "relative damping\n" : "axial damping\n";
   text += fmt::format("spacing {:.4g} m, particle mass {:.4g} kg", scene.spacing, scene.particleMass);
   for (const ForceTerm* term : forceTerms()) {
+    if (term->family || !hasTerm(scene, *term)) continue;
     const bool isContact = term == &ContactTerm::kTerm;  // its bodies have lines of their own
-    if (term->family || (isContact && !hasTerm(scene, *term))) continue;
     for (const Parameter& parameter : term->parameters) {
-      if (!parameter.decidesPresence && !hasTerm(scene, *term)) continue;
       if (parameter.ofList && parameter.get(scene) == Vec3{}) continue;  // still air has no wind, a wind need not gust
       if (isContact && (parameter.ofList || (parameter.acts != nullptr && !parameter.acts(scene)))) continue;
       text += fmt::format(", {} {}", parameter.label, valueText(parameter, scene));

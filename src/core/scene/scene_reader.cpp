@@ -120,7 +120,8 @@ Body readBody(SceneTable table, const Scene& scene) {
     if (std::ranges::find(scene.bodies, body.name, &Body::name) != scene.bodies.end()) {
       table.refuse("name", "the name of another body, " + body.name, "a name of its own");
     }
-    if (body.name.empty() || isPlaceName(body.name)) {
+    if (body.name.empty()) table.refuse("name", "\"\"", "a name of at least one character");
+    if (isPlaceName(body.name)) {
       table.refuse("name", '"' + body.name + '"', "a name that no particle and no set of particles has");
     }
   }

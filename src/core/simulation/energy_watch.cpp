@@ -2,10 +2,17 @@
 #include "core/simulation/energy_watch.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/forces/term.h"
 
 namespace tyg {
+namespace {
+
+/// J, brought by terms and pins.
+double flowing(const Power& passed) { return std::reduce(passed.supplied.begin(), passed.supplied.end(), passed.pins); }
+
+}  // namespace
 
 void EnergyWatch::turn(Status status, double time) {
   if (status != Status::Ok && status_ == Status::Ok) alarmTime_ = time;
@@ -16,11 +23,12 @@ void EnergyWatch::check(const EnergySample& sample) {
   const StoredEnergy energy = sample.stored.since(start_);
   maxStretch_ = std::max(maxStretch_, energy.maxStretch);
   kinetic_ = energy.kinetic;
-  turn(alarm_.check(energy, sample.work(), sample.flowing()), sample.time);
+  const double flow = flowing(sample.judged);
+  turn(alarm_.check(energy, sample.pushes + flow, flow), sample.time);
 }
 
 double EnergyWatch::sum(const EnergySample& sample) const {
-  return mechanical(sample.stored) + sample.passed.lost - sample.work();
+  return mechanical(sample.stored) + sample.passed.lost - sample.pushes - flowing(sample.passed);
 }
 
 Ledger EnergyWatch::ledger(const EnergySample& sample) {

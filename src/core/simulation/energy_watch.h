@@ -19,16 +19,8 @@ struct EnergySample {
   StoredEnergy stored{};
   double pushes = 0;  ///< put in by pushes so far
   Power passed{};     ///< what was lost, and what terms and pins have brought, so far
+  Power judged{};     ///< the same as the alarm takes it
   double time = 0;    ///< s
-
-  /// All that was put in so far.
-  [[nodiscard]] double work() const { return pushes + flowing(); }
-  /// By terms and pins alone.
-  [[nodiscard]] double flowing() const {
-    double sum = passed.pins;
-    for (const double supplied : passed.supplied) sum += supplied;
-    return sum;
-  }
 };
 
 class EnergyWatch {

@@ -37,7 +37,8 @@ struct Run {
   SheetChanges changes;
   double cutAway = 0;     // J, that springs held when they were cut
   double ticksSince = 0;  // s: where the times begin at which cloth may tear, a tick apart
-  Supply supply;
+  Supply supply;          // of the ledger and of reports
+  Supply judged;          // of the alarm, which judges alike whether or not the ledger is followed
   EnergyWatch energies;
   EventLog log;
   Replay replay;

@@ -47,6 +47,7 @@ Simulation::Impl::Impl(Scene wanted, const Method& method, const Settings& asked
   applyPushes();
   applyTimetable();
   run.supply.follow(settings.ledger, powerToSupply(), 0, backend->energyOfPower());
+  run.judged.follow(false, powerToSupply(), 0, backend->energyOfPower());
   followPower();
   checkEnergies();
 }
@@ -71,12 +72,14 @@ void Simulation::Impl::goBackTo(const Checkpoint& checkpoint) {
 }
 
 EnergySample Simulation::Impl::sample(const Power& power) const {
-  EnergySample sample{backend->energy(run.clock.time()), run.pushes.work(*backend), backend->energyOfPower(),
-                      run.clock.time()};
-  sample.passed.supplied = run.supply.upTo(power, run.clock.time(), sample.passed);
-  sample.passed.pins += run.pins.work();
-  sample.passed.lost += run.cutAway;
-  return sample;
+  const double time = run.clock.time();
+  Power passed = backend->energyOfPower(), judged = passed;
+  passed.supplied = run.supply.upTo(power, time, passed);
+  judged.supplied = run.judged.upTo(power, time, judged);
+  passed.pins += run.pins.work();
+  judged.pins = passed.pins;
+  passed.lost += run.cutAway;
+  return {backend->energy(time), run.pushes.work(*backend), passed, judged, time};
 }
 
 void Simulation::Impl::checkEnergies() {
@@ -91,6 +94,12 @@ Power Simulation::Impl::powerToSupply() const {
   return {};
 }
 
+void Simulation::Impl::checkSupply(const Power& power) {
+  for (Supply* supply : {&run.supply, &run.judged}) {
+    supply->check(power, run.clock.time(), backend->energyOfPower());
+  }
+}
+
 void Simulation::Impl::trackDissipation(bool on) {
   settings.ledger = on;
   followPower();
@@ -98,8 +107,11 @@ void Simulation::Impl::trackDissipation(bool on) {
 }
 
 void Simulation::Impl::followPower() {
-  const bool exactly = settings.ledger || bodiesMove(), changes = exactly != run.supply.isExact();
-  if (changes) run.supply.follow(exactly, powerToSupply(), run.clock.time(), backend->energyOfPower());
+  const bool bodies = bodiesMove(), exactly = settings.ledger || bodies, changes = exactly != run.supply.isExact();
+  const auto follow = [&](Supply& supply, bool on) {
+    if (supply.isExact() != on) supply.follow(on, powerToSupply(), run.clock.time(), backend->energyOfPower());
+  };
+  follow(run.supply, exactly), follow(run.judged, bodies);
   if (changes || exactly != addsUpPower) backend->trackDissipation(exactly, run.clock.time());
   addsUpPower = exactly;
 }

@@ -54,7 +54,8 @@ struct Simulation::Impl {
   /// An energy check at any time.
   void checkEnergies();
   /// To be called on both sides of a jump of that power.
-  void checkSupply() { run.supply.check(powerToSupply(), run.clock.time(), backend->energyOfPower()); }
+  void checkSupply() { checkSupply(powerToSupply()); }
+  void checkSupply(const Power& power);
 
   // simulation_steps.cpp
   void runTo(double end);

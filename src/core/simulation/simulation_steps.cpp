@@ -100,7 +100,7 @@ void Simulation::Impl::finishSteps(double h, int count, double timeAfter) {
   // Steps of a method's own choice let fast waves jitter within the tolerance.
   const bool keepsTheBalance = !stepsFreely() && takesWhatDampingTakes(*run.method);
   const Power power = keepsTheBalance ? backend->power(timeAfter) : powerToSupply();
-  run.supply.check(power, timeAfter, backend->energyOfPower());
+  checkSupply(power);
   run.energies.lose(keepsTheBalance ? power.lost : 0, timeAfter);
   run.largestSpeed = std::max(run.largestSpeed, approach());
   run.energies.check(sample(power));

@@ -1,6 +1,5 @@
-// The energy that terms such as wind have brought: exact where the ledger is followed or a body moves, and otherwise
-// estimated between energy checks, where it is asked for by the alarm alone. A regular type, so that a checkpoint is a
-// copy. Must not know: where the power comes from.
+// The energy that terms such as wind have brought: exact, or estimated between energy checks. A regular type, so that a
+// checkpoint is a copy. Must not know: where the power comes from.
 #pragma once
 
 #include "core/forces/power.h"

@@ -59,8 +59,9 @@ struct DietPlan {
   std::function<bool(double fraction)> observer;
 };
 
-/// Puts a scene on the diet. `reference` is of that scene and usable. Changes that keep E within the tolerance are
-/// kept together greedily: the largest saving first, halved sheets, longer steps and cheaper methods again and again.
+/// Puts a scene on the diet. `reference` is of that scene and usable. Changes that keep E within the tolerance and save
+/// more than a tenth of the counted cost are kept together greedily: the largest saving first, halved sheets, longer
+/// steps and cheaper methods again and again.
 Diet dietOf(const Scene& scene, const Reference& reference, const DietPlan& plan);
 
 }  // namespace tyg

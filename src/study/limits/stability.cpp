@@ -200,6 +200,25 @@ double limitInPieces(const Scene& scene, const Method& method) {
   return (1 - kBetweenSamples) * smallest;
 }
 
+/// Of the terms besides the springs the one that does most of the damping of the mode that limits a method; null where
+/// the springs do more.
+const ForceTerm* mainDamper(const Scene& scene, const StepLimit& limit) {
+  const auto modesOf = [&](const Scene& of) { return Lattice(of).modes(limit.qx, limit.qy); };
+  const std::array<Mode, 5> modes = modesOf(scene);
+  const auto isLimiting = [&](const Mode& mode) { return mode.w2 == limit.mode.w2 && mode.d == limit.mode.d; };
+  const auto k = std::size_t(std::ranges::find_if(modes, isLimiting) - modes.begin());
+  double most = modesOf(withoutParticleDamping(scene)).at(k).d;
+  const ForceTerm* main = nullptr;
+  for (const ForceTerm* term : forceTerms()) {
+    if (term->family || !hasTerm(scene, *term)) continue;
+    Scene without = scene;
+    leaveOut(without, *term);
+    const double part = limit.mode.d - modesOf(without).at(k).d;
+    if (part > most) main = term, most = part;
+  }
+  return main;
+}
+
 bool isLimitedByContact(const Scene& scene, const Method& method, double predicted) {
   if (holdingTerm(scene).term == nullptr) return false;
   constexpr double kSame = 1e-3;  // of a search for the stages of a whole spectrum
@@ -271,6 +290,7 @@ StepLimit stepLimit(const Scene& scene, const Method& method) {
     limit.qx = wave.qx, limit.qy = wave.qy, limit.mode = wave.mode;
     limit.outOfPlane = byStages && wave.mode.w2 == 0;
     limit.byDamping = byStages && wave.mode.discriminant() > 0;
+    if (limit.byDamping) limit.damper = mainDamper(scene, limit);
     const std::optional<Scene> sheet = RestSpectrum::smallSheet(scene);
     if (!byStages && sheet) limit.mode = RestSpectrum(*sheet).farthest({1, 0});
     return limit;
@@ -282,6 +302,7 @@ StepLimit stepLimit(const Scene& scene, const Method& method) {
   limit.mode = modes.at(worst);
   limit.outOfPlane = worst == Lattice::kOutOfPlane;
   limit.byDamping = method.stableStep(0, limit.mode.d) < method.stableStep(limit.mode.w2, 0);
+  if (limit.byDamping) limit.damper = mainDamper(scene, limit);
   return limit;
 }
 

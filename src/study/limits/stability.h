@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/forces/term.h"
 #include "core/spectrum/lattice.h"
 #include "tyg/method.h"
 #include "tyg/scene.h"
@@ -51,6 +52,8 @@ struct StepLimit {
   bool outOfPlane = false;  ///< does it move across the sheet?
   bool byDamping = false;   ///< damping sets the limit rather than stiffness
   bool byContact = false;   ///< a particle that rests on a body sets the limit, and not the springs
+  /// Where damping sets the limit, the term that does most of it, such as drag or air; null where that is the springs.
+  const ForceTerm* damper = nullptr;
 };
 StepLimit stepLimit(const Scene& scene, const Method& method);
 
@@ -59,9 +62,11 @@ StepLimit stepLimit(const Scene& scene, const Method& method);
 /// `ripples`; `a particle on the ball` where contact sets the limit; `none` where nothing fails.
 std::string appearanceOf(const Scene& scene, const StepLimit& limit);
 /// The same with the plane, the wave vector and the cause: `column stripes in plane, q = (3.14, 0.00), set by
-/// stiffness`; or `a particle on the ball, set by contact with the ball, not the springs`.
+/// stiffness`; or `a particle on the ball, set by contact with the ball, not the springs`; or with `set by air, not the
+/// springs`.
 std::string describe(const Scene& scene, const StepLimit& limit);
-/// What sets the limit, in a word: `stiffness` or `damping` of the springs, of contact `contact` or `friction`.
+/// What sets the limit, in a word: `stiffness` or `damping` of the springs, of contact `contact` or `friction`, or the
+/// name of another term that damps, such as `drag` or `air`.
 std::string_view causeOf(const StepLimit& limit);
 
 }  // namespace tyg

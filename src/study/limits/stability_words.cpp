@@ -44,12 +44,14 @@ std::string describe(const Scene& scene, const StepLimit& limit) {
     return fmt::format("{}, set by {} with {}, not the springs", appearance, slides ? "friction in contact" : "contact",
                        bodiesInWords(scene));
   }
-  return fmt::format("{} {}, q = ({:.2f}, {:.2f}), set by {}", appearance,
-                     limit.outOfPlane ? "out of plane" : "in plane", limit.qx, limit.qy, causeOf(limit));
+  return fmt::format("{} {}, q = ({:.2f}, {:.2f}), set by {}{}", appearance,
+                     limit.outOfPlane ? "out of plane" : "in plane", limit.qx, limit.qy, causeOf(limit),
+                     limit.damper != nullptr ? ", not the springs" : "");
 }
 
 std::string_view causeOf(const StepLimit& limit) {
   if (limit.byContact) return limit.mode.w2 > 0 ? "contact" : "friction";
+  if (limit.damper != nullptr) return limit.damper->name;
   return limit.byDamping ? "damping" : "stiffness";
 }
 

@@ -249,9 +249,9 @@ Study studyOf(const std::vector<Series>& all, bool stopped) {
       if (run.tornElsewhere) ++study.tornElsewhere;
       if (run.past) study.pastHorizon.push_back({run.row, run.past->distance, run.past->band});
     }
-    if (series.refusal.empty()) continue;
-    const std::string text = fmt::format("{}: {}", series.method->name, series.refusal);
-    if (std::ranges::find(study.refusals, text) == study.refusals.end()) study.refusals.push_back(text);
+    const std::string& refusal = series.refusal;  // begins with the name of the method
+    if (refusal.empty() || std::ranges::find(study.refusals, refusal) != study.refusals.end()) continue;
+    study.refusals.push_back(refusal);
   }
   return study;
 }
