@@ -20,6 +20,7 @@ namespace tyg {
 struct Insets {
   int left = 0, right = 0;  ///< pixels at the window's sides that panels and keys take
   int top = 0, bottom = 0;  ///< pixels at its other edges, which bars and what is said take
+  int wind = 0;             ///< of the pixels at the top the lowest ones, where a wind is shown; 0: the scene has none
   float beside = 0;  ///< m, to the left of the cloth as the camera sees it, at which a second cloth is shown; 0: none
   bool operator==(const Insets&) const = default;
 };
