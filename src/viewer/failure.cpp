@@ -51,8 +51,12 @@ void Failure::freezeOnAlarm(Simulation& simulation, const ShownState& shown) {
     alarmTime_ = simulation.alarmTime();
     motion_ = failingMotion(simulation, margin());
   }
-  const Cure cure = findCure(simulation, margin().limit);
-  freezeWith(describeFailure(simulation, alarmTime_, margin().limit, cure), cure, shown);
+  if (!runsOn_ || told_.method != &simulation.method() || told_.step != simulation.dt()) {
+    const Cure cure = findCure(simulation, margin().limit);
+    told_ = {describeFailure(simulation, alarmTime_, margin().limit, cure), cure, &simulation.method(),
+             simulation.dt()};
+  }
+  freezeWith(told_.message, told_.cure, shown);
 }
 
 void Failure::freezeOnStall(Simulation& simulation, const ShownState& shown, double seconds) {

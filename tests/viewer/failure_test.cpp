@@ -220,6 +220,29 @@ TEST_F(BreakingViewerTest, LettingItBreakIsSlowIsFollowedByTheCameraAndEndsWithT
   EXPECT_FALSE(viewer_.run().showsBreaking());
 }
 
+class StretchedViewerTest : public ViewerTest {
+ protected:
+  StretchedViewerTest() : ViewerTest(loadScene("fail-stretched", methodNames())) {}
+  void runUntilFrozen() {
+    for (int frame = 0; frame < 3000 && viewer_.run().state() == RunState::Running; ++frame) frames(1);
+    ASSERT_EQ(viewer_.run().state(), RunState::Frozen);
+  }
+};
+
+TEST_F(StretchedViewerTest, ItsFailureIsExplainedAlikeAfterItWasLetBreak) {
+  tap(' ');
+  runUntilFrozen();
+  const std::string told = viewer_.run().failure().message();
+  const double step = viewer_.run().failure().cure()->step;
+  tap(kEnterKey);
+  frames(30);
+  EXPECT_TRUE(viewer_.run().showsBreaking());
+  EXPECT_EQ(viewer_.run().margin().band(), MarginBand::Past) << viewer_.run().margin().share();
+  runUntilFrozen();
+  EXPECT_EQ(viewer_.run().failure().message(), told);
+  EXPECT_EQ(viewer_.run().failure().cure()->step, step);
+}
+
 TEST_F(WildViewerTest, AFrozenClothStepsBackAndOnAgain) {
   runUntilFrozen();
   const double then = viewer_.run().shown().time();
