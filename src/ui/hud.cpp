@@ -138,7 +138,7 @@ void Hud::draw(const Viewer& viewer, Panels& panels) {
 void Hud::drawPicture(const Viewer& viewer, const Panels& panels, float free) {
   picture_ = {};
   if (viewer.run().state() != RunState::Frozen && !viewer.run().showsBreaking()) return;
-  const float right = screenSize().x - panels.width(Edge::Right) - size_, left = panels.width(Edge::Left) + size_;
+  const float right = screenSize().x - panels.width(Edge::Right) - size_, left = float(viewer.view().insets().left);
   const ImVec2 from{left, kTop * size_ + panels.titles()}, to{right, free - size_};
   picture_ = drawFailurePicture(writerFor(viewer), from, to, viewer);
   if (picture_.x > 0) picture_.x += 2 * size_;

@@ -90,6 +90,7 @@ class Hud {
   std::vector<WindowEvent> keyEvents_;
   KeyCode keyDown_ = 0;      ///< by the mouse
   float failure_ = 0;        ///< height of all that is at the foot with the last failure, ImGui's units; 0 before
+  float said_ = 0;           ///< likewise with the lines that stand for a failure that gives way; 0: it does not
   ImVec2 picture_;           ///< what the picture of what fails first takes beside and above the cloth, ImGui's units
   int openedBefore_ = 0;     ///< Panels::timesOpened() before the failure
   bool givesWay_ = false;    ///< what is said of the failure gives way to a panel that was opened since

@@ -38,6 +38,7 @@ TEST_F(HudTest, WhatIsSaidOfAFailureGivesWayToAPanelOpenedSinceInALowWindow) {
   frames(8);
   EXPECT_FALSE(folded("Control"));
   EXPECT_LT(hud_.below(viewer_), said);
+  EXPECT_GT(hud_.below(viewer_), 400 / 3) << "the cloth is above all lines that stand for it";
   panels_.toggle(InputAction::OpenControl);
   frames(8);
   EXPECT_EQ(hud_.below(viewer_), said);
