@@ -11,12 +11,13 @@ namespace tyg {
 
 namespace {
 
-/// Where the step is past the limit of waves.
+/// Where the step is past the limit.
 std::optional<FailingMotion> failingMotion(const Simulation& simulation, const Margin& margin) {
   if (margin.band() != MarginBand::Past) return std::nullopt;
   const Scene& scene = simulation.scene();
   const StepLimit limit = stepLimit(scene, simulation.method());
-  if (!std::isfinite(limit.predicted) || limit.byContact) return std::nullopt;
+  if (!std::isfinite(limit.predicted)) return std::nullopt;
+  if (limit.byContact) return FailingMotion{.name = appearanceOf(scene, limit)};
   return FailingMotion{appearanceOf(scene, limit), limit.qx, limit.qy, scene.columns, scene.rows};
 }
 

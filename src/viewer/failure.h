@@ -14,7 +14,8 @@
 
 namespace tyg {
 
-/// The wave that a method amplifies first in a sheet of so many columns and rows, by the name that `tyg run` prints.
+/// What a method amplifies first, by the name that `tyg run` prints: a wave in a sheet of so many columns and rows, or,
+/// where there are 0, a particle in contact.
 struct FailingMotion {
   std::string name;
   double qx = 0, qy = 0;  ///< phases from column to column and row to row
@@ -62,7 +63,7 @@ class Failure {
   /// A state at this tick lies after the last good one.
   [[nodiscard]] bool isPast(std::int64_t tick) const { return lastGood_ && tick > lastGood_->tick; }
   [[nodiscard]] bool runsOn() const { return runsOn_; }  ///< the person let the run go on past its alarm
-  /// Nothing while no alarm has stopped the run, or where no wave explains it.
+  /// Nothing while no alarm has stopped the run, or where the limit does not explain it.
   [[nodiscard]] const std::optional<FailingMotion>& motion() const { return motion_; }
   /// s, when the alarm went; NaN while none has stopped the run.
   [[nodiscard]] double alarmTime() const { return lastGood_ ? alarmTime_ : std::numeric_limits<double>::quiet_NaN(); }

@@ -243,6 +243,19 @@ TEST_F(StretchedViewerTest, ItsFailureIsExplainedAlikeAfterItWasLetBreak) {
   EXPECT_EQ(viewer_.run().failure().cure()->step, step);
 }
 
+class HardFloorViewerTest : public ViewerTest {
+ protected:
+  HardFloorViewerTest() : ViewerTest(loadScene("fail-contact", methodNames())) {}
+};
+
+TEST_F(HardFloorViewerTest, AFailureByContactNamesTheParticleAndIsNoWave) {
+  tap(' ');
+  for (int frame = 0; frame < 600 && viewer_.run().state() == RunState::Running; ++frame) frames(1);
+  ASSERT_TRUE(viewer_.run().failure().motion());
+  EXPECT_EQ(viewer_.run().failure().motion()->name, "a particle on the plane");
+  EXPECT_EQ(viewer_.run().failure().motion()->columns, 0);
+}
+
 TEST_F(WildViewerTest, AFrozenClothStepsBackAndOnAgain) {
   runUntilFrozen();
   const double then = viewer_.run().shown().time();
