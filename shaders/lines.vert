@@ -14,6 +14,7 @@ uniform int columns;              // of the mesh
 uniform int particles;            // of the mesh
 uniform float sideBySide;         // how many lines of the mesh lie beside each other where it is narrowest
 uniform float middle;             // distance to the middle of the cloth, m
+uniform bool onSurface;           // lines that are too dense to be told apart leave the surface as it is
 uniform float sideways;           // pixels to draw the line beside where it lies (two families may lie in one line)
 uniform int colouring;            // 0: one colour, 1: by the numbers of the particles, 2: by the lines' strain
 uniform samplerBuffer values;     // a number of each particle
@@ -35,6 +36,7 @@ const float kThinnest = 1.0;      // pixels; below that a line grows fainter ins
 const float kSoftWidth = 2.0;     // pixels; such lines are as dark wherever they lie between pixels
 // Pixels from line to line: nearer ones become an even tone, then come soft lines, then sharp ones.
 const float kFlat = 2.6, kSoftFrom = 4.0, kSoftTo = 5.0, kApart = 8.0;
+const float kGone = 2.0;          // likewise, on a surface: nearer ones are not drawn at all
 
 vec3 viewPosition(uint particle) {
   int i = 3 * int(particle);
@@ -80,10 +82,12 @@ void main() {
   int low = int(min(ends.x, ends.y)), high = int(max(ends.x, ends.y));
   int beside = spacing > 0.0 ? besideOf(corner.x < 0.5 ? int(ends.x) : int(ends.y), low, high) : -1;
   float alone = drawn;  // the width of what one line has for itself
+  float fading = 1.0;
   if (beside >= 0) {
     vec4 clipC = projection * vec4(viewPosition(uint(beside)), 1);
     vec2 away = windowPosition(clipC) - windowPosition(corner.x < 0.5 ? clipA : clipB);
     float apart = max(abs(away.x * along.y - away.y * along.x), kThinnest / 20);
+    if (onSurface) fading = smoothstep(kGone, kSoftFrom, apart);
     // Lines whose width is a whole multiple of their distance cover all pixels alike, wherever they lie between them.
     float even = apart * ceil(kSoftWidth / apart);
     if (apart < kApart && clipC.w > 0.0) {
@@ -94,7 +98,7 @@ void main() {
   }
   tone = drawn > max(wanted, kThinnest) ? 1.0 : 0.0;
   // Where lines lie over each other, all of them together are as dark as if each had its own place.
-  opacity = 1.0 - pow(1.0 - min(wanted / alone, 1.0), alone / drawn);
+  opacity = fading * (1.0 - pow(1.0 - min(wanted / alone, 1.0), alone / drawn));
   halfWidth = drawn / 2;
   across = corner.y * (halfWidth + kFringe);
   farness = clamp((depth - depths.x) / (depths.y - depths.x), 0.0, 1.0);

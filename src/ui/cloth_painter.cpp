@@ -38,8 +38,13 @@ std::optional<ShownWind> shownWind(const Viewer& viewer) {
   const Vec3 wind = windAt(viewer.run().simulation().scene(), shown.time(), {middle.x, middle.y, middle.z});
   if (wind == Vec3{}) return std::nullopt;
   const Insets& insets = viewer.view().insets();
-  const auto width = static_cast<float>(std::max(viewer.view().pixels().width, 1));
-  return ShownWind{wind, windArrowPlace(float(insets.left) / width, 1 - float(insets.right) / width)};
+  const Extent window = viewer.view().pixels();
+  const float width = float(std::max(window.width, 1)), height = float(std::max(window.height, 1));
+  // Longer than the place is high: only gales have such arrows, and hardly any blows upwards.
+  const float half = 0.7F * float(insets.wind);
+  return ShownWind{.velocity = wind,
+                   .at = {(float(insets.left) + half) / width, (float(insets.top) - float(insets.wind) / 2) / height},
+                   .longest = 2 * half / height};
 }
 
 /// What a hand holds is not drawn as a pin: the text over the picture draws a ring around it.

@@ -38,6 +38,9 @@ void drawPattern(const TextWriter& writer, ImVec2 at, const FailingMotion& motio
   }
 }
 
+/// In joules: `10 J`, `1e-06 J`.
+std::string powerOfTen(double exponent) { return fmt::format("{:g} J", std::pow(10, exponent)); }
+
 /// The kinetic energy, which grows by the same factor in the same time: a straight line on this scale.
 void drawEnergy(const TextWriter& writer, ImVec2 from, ImVec2 to, std::span<const BreakRecord::Moment> moments) {
   const Colours& ink = coloursOn(writer.background);
@@ -62,8 +65,10 @@ void drawEnergy(const TextWriter& writer, ImVec2 from, ImVec2 to, std::span<cons
   TextWriter small = writer;
   small.size *= 0.8F;
   const float inside = 0.2F * writer.size;
-  small.write({from.x + inside, from.y + inside}, ink.text, fmt::format("1e{:.0f} J", high));
-  small.write({from.x + inside, to.y - small.size - inside}, ink.text, fmt::format("1e{:.0f} J", low));
+  // The line rises from the lower left to the upper right: the other two corners are free.
+  const std::string least = powerOfTen(low);
+  small.write({from.x + inside, from.y + inside}, ink.text, powerOfTen(high));
+  small.write({to.x - small.extent(least).x - inside, to.y - small.size - inside}, ink.text, least);
 }
 
 }  // namespace
@@ -77,20 +82,21 @@ ImVec2 drawFailurePicture(TextWriter writer, ImVec2 upper, ImVec2 lower, const V
   const bool breaks = moments.size() > 1 && viewer.run().showsBreaking();
   if (!motion && !breaks) return {};
   const std::string name = motion ? "fails first: " + motion->name : "";
-  const float patternSizes = motion ? kPattern + kPad : 0, plotSizes = breaks ? kPlot + kPad : 0;
+  const bool isWave = motion && motion->columns > 0;
+  const float patternSizes = isWave ? kPattern + kPad : 0, plotSizes = breaks ? kPlot + kPad : 0;
   const auto widthNow = [&] {
     return std::max(writer.extent(name).x, (patternSizes + plotSizes - kPad) * writer.size) + 2 * kPad * writer.size;
   };
   writer.size *= std::clamp((lower.x - upper.x) / widthNow(), kSmallest, 1.0F);
   const float size = writer.size, pad = kPad * size, width = std::floor(widthNow());
-  const float height = 2 * pad + (kLine + kPattern) * size;
+  const float height = 2 * pad + (isWave || breaks ? kLine + kPattern : 1) * size;
   const ImVec2 from{lower.x - width, upper.y};
   const bool beside = from.x - kLeastCloth * size >= upper.x;
   if (from.x < upper.x || from.y + height + (beside ? 0 : kLeastCloth * size) > lower.y) return {};
   writer.shade(from, {lower.x, from.y + height});
   writer.write({from.x + pad, from.y + pad}, coloursOn(writer.background).text, name);
   const ImVec2 at{from.x + pad, from.y + pad + kLine * size};
-  if (motion) drawPattern(writer, at, *motion);
+  if (isWave) drawPattern(writer, at, *motion);
   const ImVec2 taken = beside ? ImVec2{width, 0} : ImVec2{0, height};
   if (!breaks) return taken;
   const float left = at.x + patternSizes * size;

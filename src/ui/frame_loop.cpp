@@ -133,8 +133,9 @@ Insets FrameLoop::insets() const {
   const bool wide = left == 0 && 2 * (keys + keys) <= window.width;
   return {.left = left > 0 ? left : keys,
           .right = std::max(right + hud_.beside(), wide && right == 0 ? keys : 0),
-          .top = hud_.above() + static_cast<int>(panels_.titles()),
+          .top = hud_.above() + static_cast<int>(panels_.titles()) + hud_.windHeight(viewer_),
           .bottom = hud_.below(viewer_),
+          .wind = hud_.windHeight(viewer_),
           .beside = panels_.beside()};
 }
 

@@ -138,7 +138,7 @@ void Hud::draw(const Viewer& viewer, Panels& panels) {
 void Hud::drawPicture(const Viewer& viewer, const Panels& panels, float free) {
   picture_ = {};
   if (viewer.run().state() != RunState::Frozen && !viewer.run().showsBreaking()) return;
-  const float right = screenSize().x - panels.width(Edge::Right) - size_, left = panels.width(Edge::Left) + size_;
+  const float right = screenSize().x - panels.width(Edge::Right) - size_, left = float(viewer.view().insets().left);
   const ImVec2 from{left, kTop * size_ + panels.titles()}, to{right, free - size_};
   picture_ = drawFailurePicture(writerFor(viewer), from, to, viewer);
   if (picture_.x > 0) picture_.x += 2 * size_;
@@ -157,17 +157,26 @@ void Hud::drawTools(const Viewer& viewer, float from) {
   }
 }
 
-/// Its speed, below its arrow.
+int Hud::windHeight(const Viewer& viewer) const {
+  constexpr float kHeight = 3;  // sizes of the text
+  return viewer.run().simulation().scene().winds.empty() ? 0 : static_cast<int>(kHeight * size_);
+}
+
+/// Its speed, to the right of its arrow.
 void Hud::drawWind(const Viewer& viewer, const Colours& colours) const {
   const std::optional<ShownWind> wind = shownWind(viewer);
   if (!wind) return;
   const Vec3& v = wind->velocity;
   const std::string text = fmt::format("wind {:.1f} m/s", std::hypot(v.x, v.y, v.z));
-  const ImVec2 screen = screenSize(), extent = extentOf(fonts_.text, size_, text);
-  constexpr float kBelow = 0.075F;  // heights of the window, from the arrow's middle: it is hardly longer
-  const ImVec2 at{wind->at.x * screen.x - extent.x / 2, (wind->at.y + kBelow) * screen.y};
-  writerFor(viewer).shade(at, {at.x + extent.x, at.y + extent.y});
-  write(fonts_.text, size_, at, colours.dim, text);
+  const ImVec2 screen = screenSize();
+  const Insets& insets = viewer.view().insets();
+  TextWriter writer = writerFor(viewer);
+  const float left = wind->at.x * screen.x + 0.5F * wind->longest * screen.y + 0.3F * size_;
+  const float room = screen.x - float(insets.right) - size_ - left;
+  writer.size *= std::clamp(room / std::max(1.0F, writer.extent(text).x), 0.1F, 1.0F);
+  const ImVec2 at{left, wind->at.y * screen.y - writer.size / 2}, extent = writer.extent(text);
+  writer.shade(at, {at.x + extent.x, at.y + extent.y});
+  writer.write(at, colours.dim, text);
 }
 
 /// As many lines as fit above `free`, which may be smaller there than elsewhere.

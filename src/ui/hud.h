@@ -40,6 +40,9 @@ class Hud {
   /// Pixels that bars and what is said take at the upper and the lower edge.
   [[nodiscard]] int above() const { return static_cast<int>(kTop * size_ + picture_.y); }
   [[nodiscard]] int below(const Viewer& viewer) const;
+  /// Pixels below the bars at the upper edge that the arrow of a wind takes, whether it blows just now or not; 0 where
+  /// the scene has no wind.
+  [[nodiscard]] int windHeight(const Viewer& viewer) const;
   /// Pixels that the picture of what fails first takes, to the left of panels at the right edge.
   [[nodiscard]] int beside() const { return static_cast<int>(picture_.x); }
   /// Between ImGui::NewFrame and ImGui::Render. Keys are left out at an edge that has panels, and the panels are told
@@ -87,6 +90,7 @@ class Hud {
   std::vector<WindowEvent> keyEvents_;
   KeyCode keyDown_ = 0;      ///< by the mouse
   float failure_ = 0;        ///< height of all that is at the foot with the last failure, ImGui's units; 0 before
+  float said_ = 0;           ///< likewise with the lines that stand for a failure that gives way; 0: it does not
   ImVec2 picture_;           ///< what the picture of what fails first takes beside and above the cloth, ImGui's units
   int openedBefore_ = 0;     ///< Panels::timesOpened() before the failure
   bool givesWay_ = false;    ///< what is said of the failure gives way to a panel that was opened since

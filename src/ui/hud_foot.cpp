@@ -104,7 +104,7 @@ void Hud::sayInMiddle(const TextWriter& writer, ImU32 colour, std::string_view t
 int Hud::below(const Viewer& viewer) const {
   constexpr float kSaid = 2.2F;  // a line in the large font
   const bool frozen = viewer.run().state() == RunState::Frozen && !givesWay_;
-  return static_cast<int>(frozen && failure_ > 0 ? failure_ : (kFoot - kTimeLine + kSaid) * size_);
+  return static_cast<int>(frozen && failure_ > 0 ? failure_ : std::max(said_, (kFoot - kTimeLine + kSaid) * size_));
 }
 
 /// In a low window there is no room for both, and a panel that was asked for is to be seen.
@@ -134,6 +134,7 @@ float Hud::drawFoot(const Viewer& viewer, Panels& panels) {
   if (frozen && !overPanels_) drawFailure(writer, viewer, middle);
   if (frozen && !middle.free) panels.endAbove(middle.top - kAbove * size_);
   if (!frozen || !viewer.notes().text().empty()) drawPrompt(viewer, middle);
+  said_ = givesWay_ ? ImGui::GetIO().DisplaySize.y - middle.top : 0;
   return frozen ? middle.top : middle.sides;
 }
 

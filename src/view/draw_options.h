@@ -26,6 +26,7 @@ struct Colouring {
 struct ShownWind {
   Vec3 velocity;            ///< m/s
   glm::vec2 at{0.1F, .2F};  ///< the arrow's middle in the picture: shares of its width and height, from the upper left
+  float longest = 0.19F;    ///< heights of the picture, the arrow in the fastest wind
 };
 
 /// What is drawn and how.

@@ -39,8 +39,8 @@ std::vector<SolidVertex> arrowSolid() {
 glm::mat4 windArrowModel(const ShownWind& wind) {
   const glm::vec3 velocity(wind.velocity.x, wind.velocity.y, wind.velocity.z);
   const float speed = glm::length(velocity);
-  constexpr float kShortest = 0.07F, kLonger = 0.12F, kUsualSpeed = 10;  // heights of the picture, m/s
-  const float length = kShortest + kLonger * speed / (speed + kUsualSpeed);
+  constexpr float kShortest = 0.37F, kUsualSpeed = 10;  // of the longest, m/s
+  const float length = wind.longest * (kShortest + (1 - kShortest) * speed / (speed + kUsualSpeed));
   const glm::vec3 along = speed > 0 && std::isfinite(speed) ? velocity / speed : glm::vec3(1, 0, 0);
   const glm::vec3 leastAlong = std::abs(along.y) < 0.9F ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
   const glm::vec3 side = glm::normalize(glm::cross(along, leastAlong)), other = glm::cross(along, side);
@@ -53,6 +53,6 @@ glm::mat4 windArrowProjection(const ShownWind& wind, float aspect) {
           glm::vec4(2 * wind.at.x - 1, 1 - 2 * wind.at.y, 0, 1)};
 }
 
-glm::vec2 windArrowPlace(float left, float right) { return {left + 0.12F * (right - left), 0.17F}; }
+glm::vec2 windArrowPlace() { return {0.12F, 0.17F}; }
 
 }  // namespace tyg

@@ -21,7 +21,7 @@ glm::mat4 windArrowModel(const ShownWind& wind);
 /// arrow beside the middle of the picture would seem to point another way than at the cloth. `aspect`: width / height.
 glm::mat4 windArrowProjection(const ShownWind& wind, float aspect);
 
-/// ShownWind::at of a picture of which only the part from `left` to `right` is free (shares of its width).
-glm::vec2 windArrowPlace(float left = 0, float right = 1);
+/// ShownWind::at of a picture without text.
+glm::vec2 windArrowPlace();
 
 }  // namespace tyg

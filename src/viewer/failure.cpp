@@ -11,12 +11,13 @@ namespace tyg {
 
 namespace {
 
-/// Where the step is past the limit of waves.
+/// Where the step is past the limit.
 std::optional<FailingMotion> failingMotion(const Simulation& simulation, const Margin& margin) {
   if (margin.band() != MarginBand::Past) return std::nullopt;
   const Scene& scene = simulation.scene();
   const StepLimit limit = stepLimit(scene, simulation.method());
-  if (!std::isfinite(limit.predicted) || limit.byContact) return std::nullopt;
+  if (!std::isfinite(limit.predicted)) return std::nullopt;
+  if (limit.byContact) return FailingMotion{.name = appearanceOf(scene, limit)};
   return FailingMotion{appearanceOf(scene, limit), limit.qx, limit.qy, scene.columns, scene.rows};
 }
 
@@ -51,8 +52,12 @@ void Failure::freezeOnAlarm(Simulation& simulation, const ShownState& shown) {
     alarmTime_ = simulation.alarmTime();
     motion_ = failingMotion(simulation, margin());
   }
-  const Cure cure = findCure(simulation, margin().limit);
-  freezeWith(describeFailure(simulation, alarmTime_, margin().limit, cure), cure, shown);
+  if (!runsOn_ || told_.method != &simulation.method() || told_.step != simulation.dt()) {
+    const Cure cure = findCure(simulation, margin().limit);
+    told_ = {describeFailure(simulation, alarmTime_, margin().limit, cure), cure, &simulation.method(),
+             simulation.dt()};
+  }
+  freezeWith(told_.message, told_.cure, shown);
 }
 
 void Failure::freezeOnStall(Simulation& simulation, const ShownState& shown, double seconds) {

@@ -14,7 +14,8 @@
 
 namespace tyg {
 
-/// The wave that a method amplifies first in a sheet of so many columns and rows, by the name that `tyg run` prints.
+/// What a method amplifies first, by the name that `tyg run` prints: a wave in a sheet of so many columns and rows, or,
+/// where there are 0, a particle in contact.
 struct FailingMotion {
   std::string name;
   double qx = 0, qy = 0;  ///< phases from column to column and row to row
@@ -45,8 +46,9 @@ class Failure {
   /// A state without an alarm is shown at this tick: a failure that lies before it is overcome.
   void passed(std::int64_t tick);
 
-  /// Once a frame, of a simulation that is not frozen.
-  void updateMargin(Simulation& simulation) { margin_.update(simulation, clock_); }
+  /// Once a frame, of a simulation that is not frozen. One that runs on past its alarm keeps the margin that it had
+  /// there: what it has become since explains nothing.
+  void updateMargin(Simulation& simulation) { runsOn_ ? margin_.keep(simulation) : margin_.update(simulation, clock_); }
   /// Likewise of a frozen one: the margin is that of the next run, with this scene's method and step.
   void previewMargin(const Scene& chosen) { margin_.preview(chosen); }
   /// A cure keeps what was chosen while the cloth is frozen: its step is the chosen one where that holds.
@@ -61,12 +63,19 @@ class Failure {
   /// A state at this tick lies after the last good one.
   [[nodiscard]] bool isPast(std::int64_t tick) const { return lastGood_ && tick > lastGood_->tick; }
   [[nodiscard]] bool runsOn() const { return runsOn_; }  ///< the person let the run go on past its alarm
-  /// Nothing while no alarm has stopped the run, or where no wave explains it.
+  /// Nothing while no alarm has stopped the run, or where the limit does not explain it.
   [[nodiscard]] const std::optional<FailingMotion>& motion() const { return motion_; }
   /// s, when the alarm went; NaN while none has stopped the run.
   [[nodiscard]] double alarmTime() const { return lastGood_ ? alarmTime_ : std::numeric_limits<double>::quiet_NaN(); }
 
  private:
+  /// What the person was told when the alarm went, and of which method and step.
+  struct Told {
+    std::string message;
+    Cure cure;
+    const Method* method = nullptr;
+    double step = 0;  ///< s
+  };
   void freezeWith(std::string message, const Cure& cure, const ShownState& shown);
 
   Clock clock_;
@@ -77,6 +86,7 @@ class Failure {
   bool runsOn_ = false;
   // Of the last failure; it is told alike however often it is reached.
   double alarmTime_ = 0;  ///< s
+  Told told_;
   std::optional<FailingMotion> motion_;
 };
 

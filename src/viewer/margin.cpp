@@ -68,8 +68,12 @@ void MarginWatch::follow(const Scene& scene, const Method& method, double step, 
 
 void MarginWatch::preview(const Scene& chosen) { follow(chosen, findMethod(chosen.integrator), chosen.dt, isCut_); }
 
-void MarginWatch::update(Simulation& simulation, const Clock& clock) {
+void MarginWatch::keep(const Simulation& simulation) {
   follow(simulation.scene(), simulation.method(), simulation.dt(), !simulation.sheet().missing.none());
+}
+
+void MarginWatch::update(Simulation& simulation, const Clock& clock) {
+  keep(simulation);
   const bool moves = simulation.status() == Status::Ok && simulation.ticks() != measuredAt_;
   if (!margin_.adaptive && moves) measureLive(simulation, clock);
   margin_.limit = std::fmin(margin_.rest, live_);

@@ -64,6 +64,7 @@ void addMotion(Simulation trial, const Box& cloth, const std::function<double()>
   trial.observe(goesOn);
   while (trial.time() < end && goesOn()) {
     trial.tick();
+    if (trial.status() != Status::Ok) return;  // no later tick would bring it on
     if (trial.ticks() % kTicksPerLook != 0) continue;
     if (trial.check() != Status::Ok) return;
     trial.copyPositions(xyz);

@@ -21,6 +21,8 @@ constexpr float kMostMissing = 0.1F;   // cloth sizes: what is missing all at on
 constexpr float kLongestMove = 0.05F;  // s: a stalled frame moves the camera no farther
 constexpr float kInPieces = 1.1F;      // sizes of the motion bounds: a larger torn cloth has come apart, until it fits
 constexpr float kAtRest = 1e-3F;       // cloth sizes a second
+constexpr float kPeriod = 3;           // s, in which a cloth takes up about all that it will ...
+constexpr float kCalm = 0.9F;          // ... where it has taken up this share of the period before
 
 }  // namespace
 
@@ -36,7 +38,9 @@ void ViewControl::follow(const Box& cloth, std::span<const Body> bodies, bool ha
   cloth_ = cloth, bodies_ = bodies;
   inPieces_ = !isWhole && cloth_.size() > (inPieces_ ? 1 : kInPieces) * bounds_.size();
   const bool turns = hasMoved != std::exchange(hasMoved_, hasMoved);
-  if (turns && (hasMoved || away_) && framed_ && !cameraMoved_ && !motionBounds_.empty()) glideTo(motionBounds_);
+  if (turns) forgetLately(), toBeFitted_ = false;
+  if (!turns || !(hasMoved || away_) || !framed_ || cameraMoved_ || motionBounds_.empty()) return;
+  glideTo(hasMoved ? motionBounds_ : pointsOf(cloth_));
 }
 
 void ViewControl::resize(Extent pixels, const Insets& insets) {
@@ -45,18 +49,47 @@ void ViewControl::resize(Extent pixels, const Insets& insets) {
   insets_ = insets;
   if (!visible()) return;
   if (!framed_) return frameCloth();
-  if (!cameraMoved_) return fitView();
+  if (!cameraMoved_) {
+    if (hasMoved_) away_ = toBeFitted_ = true;
+    if (before_ && !inPieces_) inView_ = pointsOf(before_->with(lately_));
+    return fitView();
+  }
   const FreePart before = std::exchange(part_, freePart());
   camera_.slide(part_.toTheRight - before.toTheRight, part_.above - before.above);
 }
 
 void ViewControl::frameCloth() {
   camera_.watch(cloth_);
-  const auto corners = cloth_.corners();
-  inView_.assign(corners.begin(), corners.end());
+  inView_ = pointsOf(cloth_);
   away_ = false;
-  addBodyPoints(bodies_, cloth_, inView_);
   fitView();
+}
+
+std::vector<glm::vec3> ViewControl::pointsOf(const Box& cloth) const {
+  const auto corners = cloth.corners();
+  std::vector<glm::vec3> points(corners.begin(), corners.end());
+  addBodyPoints(bodies_, cloth, points);
+  return points;
+}
+
+void ViewControl::forgetLately() {
+  lately_ = cloth_;
+  before_.reset();
+  latelySeconds_ = 0;
+}
+
+void ViewControl::watchLately(float seconds) {
+  if (!hasMoved_ || followed_ || inPieces_) return forgetLately();
+  lately_ = lately_.with(cloth_);
+  latelySeconds_ += seconds;
+  if (latelySeconds_ < kPeriod) return;
+  const bool isCalm = before_ && lately_.size() > kCalm * before_->size();
+  if (isCalm && toBeFitted_ && framed_ && !cameraMoved_) {
+    glideTo(pointsOf(before_->with(lately_)));
+    away_ = true, toBeFitted_ = false;
+  }
+  before_ = std::exchange(lately_, cloth_);
+  latelySeconds_ = 0;
 }
 
 void ViewControl::glideTo(std::vector<glm::vec3> points) {
@@ -164,6 +197,7 @@ void ViewControl::move(const Motion& keys, float seconds) {
   camera_.watch(cloth_);
   camera_.move(keys, seconds);
   if (keys != Motion{}) movedByHand();
+  watchLately(seconds);
   if (!glide_) return;
   glide_->seconds += seconds;
   camera_.place(glm::mix(glide_->from, glide_->to, glm::smoothstep(0.0F, kGlideSeconds, glide_->seconds)));

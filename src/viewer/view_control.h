@@ -20,6 +20,7 @@ namespace tyg {
 struct Insets {
   int left = 0, right = 0;  ///< pixels at the window's sides that panels and keys take
   int top = 0, bottom = 0;  ///< pixels at its other edges, which bars and what is said take
+  int wind = 0;             ///< of the pixels at the top the lowest ones, where a wind is shown; 0: the scene has none
   float beside = 0;  ///< m, to the left of the cloth as the camera sees it, at which a second cloth is shown; 0: none
   bool operator==(const Insets&) const = default;
 };
@@ -34,8 +35,9 @@ class ViewControl {
   void follow(const Box& cloth, std::span<const Body> bodies, bool hasMoved, bool isWhole);
 
   /// Size of the window, and its insets. The first one that is not empty frames the cloth, and what is beside it, in
-  /// the rest (a fifth of each side in any case), as frameCloth() does. So do later ones, until the person moves the
-  /// camera: from then on the cloth stays as large as it is, and slides to the middle of what is free.
+  /// the rest (a fifth of each side in any case), as frameCloth() does. Later ones fit what the cloth has taken up in
+  /// the last seconds, and again when its motion has calmed down, until the person moves the camera: from then on the
+  /// cloth stays as large as it is, and slides to the middle of what is free.
   void resize(Extent pixels, const Insets& insets);
   /// Shows all of the cloth and of the bodies near to it, as large as fits.
   void frameCloth();
@@ -50,7 +52,7 @@ class ViewControl {
   /// to these. `positions` (x, y, z of each particle, m) is only asked where the box around the cloth leaves it too.
   void keepInView(const std::function<std::span<const float>()>& positions, float seconds);
   /// In the place of keepInView(): a camera that follows the cloth stops, as while a hand holds something.
-  void stay() { drift_ = {}; }
+  void stay() { drift_ = {}, forgetLately(); }
   void turn(glm::vec2 pixels);                           ///< the cursor moved so far
   void orbit(glm::vec2 pixels, const glm::vec3& about);  ///< likewise, around a point, m
   void approach(float notches);                          ///< of the wheel
@@ -86,6 +88,10 @@ class ViewControl {
   [[nodiscard]] glm::vec3 missingWay();
   void movedByHand();
   void stop();
+  void watchLately(float seconds);
+  void forgetLately();
+  /// The cloth and the bodies near to it, in the place of inView_.
+  [[nodiscard]] std::vector<glm::vec3> pointsOf(const Box& cloth) const;
   void addBeside(std::vector<glm::vec3>& points) const;
   [[nodiscard]] FreePart freePart() const;
 
@@ -109,6 +115,11 @@ class ViewControl {
   glm::vec3 drift_{0};     ///< m/s, of the camera that follows the cloth
   bool away_ = false;      ///< it has followed it, since something was framed
   bool followed_ = false;  ///< a cloth that breaks
+  /// What the cloth has taken up in the present period of some seconds, and in the one before it, if there was one.
+  Box lately_;
+  std::optional<Box> before_;
+  float latelySeconds_ = 0;  ///< of the present period
+  bool toBeFitted_ = false;  ///< once the cloth's motion has calmed down: what is free of the window has changed
 };
 
 }  // namespace tyg

@@ -16,6 +16,7 @@ constexpr glm::ivec2 kSize(320, 320);
 struct View {
   Start start = Start::Hanging;  ///< a sheet that hangs is seen straight on, one that lies as windows show it first
   float scale = 1;
+  Show show = Show::Lines;
 };
 
 /// Blue of a sheet of 2 m, less the background's, in the middle of the picture.
@@ -37,6 +38,7 @@ std::vector<double> toneOf(int side, const View& view = {}) {
   DrawOptions options;
   options.ground = options.pins = false;
   options.scale = view.scale;
+  options.show = view.show;
   const auto blue = [&](bool lines) {
     options.structural = lines;
     renderer.draw(xyz, camera, kSize, options);
@@ -94,6 +96,11 @@ double roughness(const std::vector<double>& tones) {
 TEST(DenseLines, ShowNoPatternThatTheyFormWithThePixels) {
   for (const int side : {60, 66, 77, 90, 110})
     EXPECT_LT(roughness(toneOf(side, {.start = Start::Flat})), 0.023) << side;
+}
+
+TEST(DenseLines, LeaveASurfaceItsColour) {
+  for (const int side : {150, 300}) EXPECT_NEAR(meanOf(toneOf(side, {.show = Show::Both})), 0, 1) << side;
+  EXPECT_LT(meanOf(toneOf(20, {.show = Show::Both})), -10) << "lines that one can tell apart";
 }
 
 TEST(Lines, AreWiderWhereTheScaleIsLarger) { EXPECT_NEAR(meanOf(toneOf(9, {.scale = 2})) / meanOf(toneOf(9)), 2, 0.2); }

@@ -253,6 +253,8 @@ TEST_P(SurfacePicture, NumbersColourTheSurfaceAsTheyColourLines) {
 }
 
 TEST_P(SurfacePicture, LinesOnASurfaceAreSeenWholeFromBothSidesAndAtASlant) {
+  sheet_ = upright(6);  // its lines are far apart at every slant
+  xyz_ = startOf(sheet_);
   options_.mesh = rgb(0xff00ff);
   look_.colour = Vec3{0.08, 0.09, 0.12};  // as the ground
   const auto magenta = [](const Picture& picture) {

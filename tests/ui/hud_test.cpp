@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
+#include "ui/cloth_painter.h"
 #include "ui/panels_fixture.h"
 
 namespace tyg {
@@ -37,9 +38,25 @@ TEST_F(HudTest, WhatIsSaidOfAFailureGivesWayToAPanelOpenedSinceInALowWindow) {
   frames(8);
   EXPECT_FALSE(folded("Control"));
   EXPECT_LT(hud_.below(viewer_), said);
+  EXPECT_GT(hud_.below(viewer_), 400 / 3) << "the cloth is above all lines that stand for it";
   panels_.toggle(InputAction::OpenControl);
   frames(8);
   EXPECT_EQ(hud_.below(viewer_), said);
+}
+
+TEST_F(HudTest, AWindIsShownInARowThatIsFreeForIt) {
+  EXPECT_EQ(hud_.windHeight(viewer_), 0) << "no wind";
+  viewer_.scenes().use(loadScene("flag", methodNames()));
+  frames(1);
+  const int row = hud_.windHeight(viewer_);
+  ASSERT_GT(row, 0);
+  viewer_.resize({.width = 640, .height = 400}, {.left = 250, .right = 100, .top = 50 + row, .wind = row});
+  const auto wind = shownWind(viewer_);
+  ASSERT_TRUE(wind);
+  const float across = wind->at.x * 640, half = wind->longest / 2 * 400;
+  EXPECT_GE(across - half, 250 - 1);
+  EXPECT_LE(across + half, 640 - 100);
+  EXPECT_NEAR(wind->at.y * 400, 50 + float(row) / 2, 1);
 }
 
 TEST_F(HudTest, AFailureIsSaidThoughAPanelHasBeenOpenBefore) {

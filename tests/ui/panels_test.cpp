@@ -130,6 +130,23 @@ TEST_F(PanelsTest, KeysWithControlAreNotTheViewers) {
   EXPECT_FALSE(press('S'));
 }
 
+TEST_F(PanelsTest, ControlAndCCopiesEveryOpenPanelWhereverTheMouseRests) {
+  press('K'), press('=');
+  frames(30);
+  const ImRect control = placeOf("Control");
+  const ImVec2 field{control.Min.x + 10 * 18, control.Min.y + 1.5F * 18};
+  ImGui::GetIO().MousePos = field;
+  for (float down = 0; down < 300 && !showsTooltip(); down += 6) {
+    ImGui::GetIO().MousePos = {field.x, field.y + down}, frames(25);
+  }
+  ASSERT_TRUE(showsTooltip());
+  press('C', true), frames(1);
+  const std::string copied = ImGui::GetClipboardText();
+  for (const char* words : {"rk4, step of", "Motion", "gravity", "precision", "kinetic", "work of pushes"}) {
+    EXPECT_NE(copied.find(words), std::string::npos) << words << " is missing in\n" << copied;
+  }
+}
+
 TEST_F(PanelsTest, TheChartReadsOutThePointUnderTheCursorAndAClickTakesIt) {
   viewer_.scenes().use(withSheet(loadScene("curtain", methodNames()), 4, 4));
   panels_.toggle(InputAction::OpenChart);

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <set>
 
 namespace tyg {
 namespace {
@@ -53,6 +54,18 @@ TEST(Style, SevenSeriesAreToldApartByTheColourBlind) {
         }
       }
     }
+  }
+}
+
+TEST(Style, NineSeriesAreOfDifferentColoursAndNoneIsPale) {
+  for (const Background background : {Background::Dark, Background::Light}) {
+    std::set<Colour> colours;
+    for (std::size_t k = 0; k < 9; ++k) {
+      const Colour colour = seriesColour(k, background);
+      EXPECT_EQ(colour >> IM_COL32_A_SHIFT, 255U) << k;
+      colours.insert(colour);
+    }
+    EXPECT_EQ(colours.size(), 9U);
   }
 }
 

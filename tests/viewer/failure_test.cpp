@@ -220,6 +220,42 @@ TEST_F(BreakingViewerTest, LettingItBreakIsSlowIsFollowedByTheCameraAndEndsWithT
   EXPECT_FALSE(viewer_.run().showsBreaking());
 }
 
+class StretchedViewerTest : public ViewerTest {
+ protected:
+  StretchedViewerTest() : ViewerTest(loadScene("fail-stretched", methodNames())) {}
+  void runUntilFrozen() {
+    for (int frame = 0; frame < 3000 && viewer_.run().state() == RunState::Running; ++frame) frames(1);
+    ASSERT_EQ(viewer_.run().state(), RunState::Frozen);
+  }
+};
+
+TEST_F(StretchedViewerTest, ItsFailureIsExplainedAlikeAfterItWasLetBreak) {
+  tap(' ');
+  runUntilFrozen();
+  const std::string told = viewer_.run().failure().message();
+  const double step = viewer_.run().failure().cure()->step;
+  tap(kEnterKey);
+  frames(30);
+  EXPECT_TRUE(viewer_.run().showsBreaking());
+  EXPECT_EQ(viewer_.run().margin().band(), MarginBand::Past) << viewer_.run().margin().share();
+  runUntilFrozen();
+  EXPECT_EQ(viewer_.run().failure().message(), told);
+  EXPECT_EQ(viewer_.run().failure().cure()->step, step);
+}
+
+class HardFloorViewerTest : public ViewerTest {
+ protected:
+  HardFloorViewerTest() : ViewerTest(loadScene("fail-contact", methodNames())) {}
+};
+
+TEST_F(HardFloorViewerTest, AFailureByContactNamesTheParticleAndIsNoWave) {
+  tap(' ');
+  for (int frame = 0; frame < 600 && viewer_.run().state() == RunState::Running; ++frame) frames(1);
+  ASSERT_TRUE(viewer_.run().failure().motion());
+  EXPECT_EQ(viewer_.run().failure().motion()->name, "a particle on the plane");
+  EXPECT_EQ(viewer_.run().failure().motion()->columns, 0);
+}
+
 TEST_F(WildViewerTest, AFrozenClothStepsBackAndOnAgain) {
   runUntilFrozen();
   const double then = viewer_.run().shown().time();

@@ -40,6 +40,7 @@ void LineDrawing::draw(const Frame& frame, const Positions& positions, const Lin
   useShaded(program_, frame, style.shading);
   setColours(frame, style.colours);
   program_.set("opacityOfAll", style.opacity);
+  program_.set("onSurface", int{style.onSurface});
   program_.set("positions", int{PointsUnit});
   program_.set("lines", int{EndsUnit});
   program_.set("pixels", frame.pixels);

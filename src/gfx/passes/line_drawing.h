@@ -38,6 +38,7 @@ struct LineStyle {
   float width = 1;               ///< pixels, times the scale of the frame's options
   float sideways = 0;            ///< as wide, from where the line lies to where it is drawn
   float opacity = 1;             ///< 0..1
+  bool onSurface = false;        ///< fades out where lines are too dense to be told apart, and leaves the surface
   const Sheet* sheet = nullptr;  ///< of whose mesh they are; needed where the shading has a spacing
   LineColours colours{};
 };

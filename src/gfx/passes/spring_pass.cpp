@@ -23,6 +23,7 @@ void SpringPass::draw(const Frame& frame) {
                               .spacing = static_cast<float>(canvas_.sheet.spacing)},
                   .width = kThinner * options.lineWidth,
                   .opacity = onCloth ? kOnCloth * options.opacity : options.opacity,
+                  .onSurface = onCloth,
                   .sheet = &canvas_.sheet,
                   .colours = {.by = coloured ? &options.colouring : nullptr, .values = valueTexture_.name()}};
   if (options.bend) {

@@ -133,8 +133,8 @@ struct ChartPlot::Layout {
   }
   /// Where a row is drawn; a failed one in the strip.
   [[nodiscard]] ImVec2 at(const WorkRow& row) const {
-    const float across = std::clamp(x(costOf(row, scale)), left, right);
-    return {across, failed(row) ? top + 0.5F * strip() : y(1e3 * row.rmsError)};
+    if (!failed(row)) return {std::clamp(x(costOf(row, scale)), left, right), y(1e3 * row.rmsError)};
+    return {std::clamp(x(costOf(row, scale)), left + strip() / 2, right - strip() / 2), top + strip() / 2};
   }
   [[nodiscard]] Colour colour(const MethodStyle& style) const { return seriesColour(style.colour, scope.background); }
   [[nodiscard]] ImVec2 extent(const char* text) const {

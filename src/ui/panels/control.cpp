@@ -18,6 +18,7 @@
 #include "core/scene/same_sides.h"
 #include "tyg/methods.h"
 #include "ui/panels/open_menu.h"
+#include "ui/panels/parameter_field.h"
 #include "viewer/cure.h"
 #include "viewer/edits.h"
 #include "viewer/push.h"
@@ -30,7 +31,6 @@ constexpr double kShortestMs = 1e-3, kLongestMs = 100;  // of the step's slider
 constexpr double kFinestMm = 1e-7, kCoarsestMm = 100;   // of the tolerance's
 constexpr int kMostParticles = 512;                     // in a row or column, set by hand
 constexpr float kLabels = 5.2F;                         // width of the names, in sizes of the text
-constexpr int kLog = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp;
 
 void name(const char* text, float size) {
   ImGui::AlignTextToFramePadding();
@@ -47,14 +47,6 @@ void heading(const char* text, const char* explanation) {
   ImGui::TextUnformatted(text);
   ImGui::SameLine();
   ImGui::TextDisabled("%s", explanation);
-}
-
-/// A logarithmic slider in the field's own unit: `scale` of them are one of the value's. True where it was moved.
-bool slider(const char* id, double& value, double scale, std::array<double, 2> range, const char* format) {
-  double shown = value * scale;
-  if (!ImGui::SliderScalar(id, ImGuiDataType_Double, &shown, range.data(), &range[1], format, kLog)) return false;
-  value = shown / scale;
-  return true;
 }
 
 class ControlPanel final : public Panel {
@@ -125,7 +117,7 @@ class ControlPanel final : public Panel {
     const bool adaptive = findMethod(wanted.integrator).adaptive;
     name(adaptive ? "output" : "step", scope.size);
     const char* format = adaptive ? "interval %.4g ms" : "%.4g ms";
-    if (slider("##step", wanted.dt, 1e3, {kShortestMs, kLongestMs}, format)) {
+    if (logSlider("##step", wanted.dt, 1e3, {kShortestMs, kLongestMs}, format)) {
       wanted.dt = std::clamp(wanted.dt, kShortestMs * 1e-3, kLongestMs * 1e-3);
     }
     tip(scope, (adaptive ? "The output interval: within it " + wanted.integrator +
@@ -179,7 +171,7 @@ class ControlPanel final : public Panel {
   static void drawTolerance(const PanelScope& scope, Scene& wanted) {
     if (!findMethod(wanted.integrator).adaptive) return;
     name("tolerance", scope.size);
-    const bool moved = slider("##tolerance", wanted.tolerance, 1e3, {kFinestMm, kCoarsestMm}, "%.3g mm");
+    const bool moved = logSlider("##tolerance", wanted.tolerance, 1e3, {kFinestMm, kCoarsestMm}, "%.3g mm");
     tip(scope, std::string("The error that one step may make.") + kTyped);
     if (moved) wanted.tolerance = std::max(wanted.tolerance, kFinestMm * 1e-3);
   }
@@ -188,7 +180,7 @@ class ControlPanel final : public Panel {
     name("push", scope.size);
     const double usual = usualPush(scope.viewer.run().simulation().sheet());
     double factor = scope.viewer.tools().strength();
-    if (slider("##push", factor, usual, {0.01 * usual, 100 * usual}, "%.3g N"))
+    if (logSlider("##push", factor, usual, {0.01 * usual, 100 * usual}, "%.3g N"))
       scope.viewer.tools().setStrength(factor);
     tip(scope, std::string("The force of a click on the cloth.") + kTyped);
   }
@@ -290,33 +282,13 @@ class ControlPanel final : public Panel {
       for (const Parameter& parameter : term->parameters) {
         ImGui::TableSetColumnIndex(parameter.role == Role::Stiffness ? 1 : 2);
         ImGui::SetNextItemWidth(-1);
-        field(parameter, "", wanted);
+        parameterField(parameter, "", wanted);
         tip(scope,
             fmt::format("{} in {}, {} in scene files{}", parameter.role == Role::Stiffness ? "stiffness" : "damping",
                         unitText(parameter.unit), parameter.key, kTyped));
       }
     }
     ImGui::EndTable();
-  }
-
-  /// A logarithmic slider from 0, or for a vector three fields in a row. `unit` is shown in it.
-  static void field(const Parameter& parameter, std::string_view unit, Scene& wanted) {
-    const std::string id = fmt::format("##{}", parameter.key);
-    const std::string format = fmt::format("%.{}g{}{}", parameter.digits, unit.empty() ? "" : " ", unit);
-    Vec3 value = parameter.get(wanted);
-    if (parameter.count == 1) {
-      constexpr double kLeastShare = 1e-5;  // of the largest number, where 0 is none
-      const double least = parameter.allowed == Allowed::Positive ? kLeastShare * parameter.mostByHand : 0;
-      if (slider(id.c_str(), value.x, 1, {least, parameter.mostByHand}, format.c_str())) parameter.set(wanted, value);
-      return;
-    }
-    std::array<double, 3> xyz{value.x, value.y, value.z};
-    const double least = -parameter.mostByHand;
-    const auto perPixel = float(parameter.mostByHand / 2000);
-    if (ImGui::DragScalarN(id.c_str(), ImGuiDataType_Double, xyz.data(), 3, perPixel, &least, &parameter.mostByHand,
-                           format.c_str(), ImGuiSliderFlags_AlwaysClamp)) {
-      parameter.set(wanted, {xyz[0], xyz[1], xyz[2]});
-    }
   }
 
   /// The parameters of all terms but the springs; of a term that the scene does not have, those that bring it in.
@@ -332,7 +304,7 @@ class ControlPanel final : public Panel {
         if (parameter.isSpeed) drawSpeed(scope, parameter, wanted);
         const std::string_view called = parameter.nameIn != nullptr ? parameter.nameIn(wanted) : "";
         name(parameter.isSpeed ? "" : std::string(called.empty() ? parameter.label : called).c_str(), scope.size);
-        field(parameter, unitText(parameter.unit), wanted);
+        parameterField(parameter, unitText(parameter.unit), wanted);
         tip(scope, fmt::format("{}{} in scene files{}", parameter.count == 3 ? "along x, y (up) and z, " : "",
                                parameter.key, kTyped));
         if (!acts) ImGui::EndDisabled();
@@ -348,7 +320,7 @@ class ControlPanel final : public Panel {
     name(std::string(parameter.label).c_str(), scope.size);
     const std::string id = fmt::format("##speed of {}", parameter.key);
     const std::string format = fmt::format("%.{}g {}", parameter.digits, unitText(parameter.unit));
-    if (!slider(id.c_str(), speed, 1, {0, parameter.mostByHand}, format.c_str())) return;
+    if (!logSlider(id.c_str(), speed, 1, {0, parameter.mostByHand}, format.c_str())) return;
     parameter.set(wanted, {speed * way_.x, speed * way_.y, speed * way_.z});
   }
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/forces/term.h"
+#include "core/forces/terms/all_terms.h"
 #include "ui/panels/paragraph.h"
 #include "ui/panels/running_plot.h"
 #include "viewer/power_flow.h"
@@ -35,6 +36,7 @@ struct Amount {
   std::string_view holder;  ///< what has it, or does it: named in the bond graph
   std::size_t channel = 0;
   double joules = 0;
+  std::size_t colour = 0;  ///< as seriesColour() counts: an energy has the same one in every scene
 };
 /// Every kind of work that a ledger has named so far, in the order of their channels: one that is named later, as where
 /// somebody adds a wind, comes after the others.
@@ -45,19 +47,25 @@ void addNames(const Ledger& ledger, WorkNames& names) {
   }
 }
 
+/// Among all kinds of work that there are: by pushes, by what terms bring, and by pins.
+std::size_t slotOfWork(std::string_view name) {
+  if (name == "pushes") return 0;
+  return 1 + static_cast<std::size_t>(std::ranges::find(kSupplies, name) - kSupplies.begin());
+}
+
 std::vector<Amount> amountsOf(const Ledger& ledger, const WorkNames& names) {
-  std::vector<Amount> amounts{{"kinetic", "masses", Kinetic, ledger.kinetic}};
-  std::size_t channel = Stored;
+  std::vector<Amount> amounts{{"kinetic", "masses", Kinetic, ledger.kinetic, 0}};
+  std::size_t channel = Stored, colour = 1;
   for (const EnergyStore& store : energyStores()) {
     if (ledger.stored.has(store.name)) {
-      amounts.push_back({std::string(store.name), store.holder, channel, ledger.stored[store.name]});
+      amounts.push_back({std::string(store.name), store.holder, channel, ledger.stored[store.name], colour});
     }
-    ++channel;
+    ++channel, ++colour;
   }
-  amounts.push_back({"dissipated", "dampers", Dissipated, ledger.dissipated});
+  amounts.push_back({"dissipated", "dampers", Dissipated, ledger.dissipated, colour++});
   channel = Work;
   for (const std::string_view name : names) {
-    amounts.push_back({fmt::format("work of {}", name), name, channel++, ledger.work[name]});
+    amounts.push_back({fmt::format("work of {}", name), name, channel++, ledger.work[name], colour + slotOfWork(name)});
   }
   return amounts;
 }
@@ -96,7 +104,7 @@ class EnergyPanel final : public Panel {
     std::vector<RunningCurve> curves;
     curves.reserve(amounts.size());
     for (const Amount& amount : amounts) {
-      const Colour colour = seriesColour(curves.size(), scope.background);
+      const Colour colour = seriesColour(amount.colour, scope.background);
       curves.push_back(
           {.name = amount.name, .channel = amount.channel, .colour = colour, .zero = zero_.at(amount.channel)});
     }
@@ -114,6 +122,7 @@ class EnergyPanel final : public Panel {
  private:
   static constexpr float kPlotHeight = 9, kDriftHeight = 4.5F, kGraphHeight = 8, kNodeHeight = 2.5F;  ///< text sizes
   static constexpr double kNever = std::numeric_limits<double>::infinity();
+  static constexpr double kRounding = 1e-15;    ///< of the largest energy, or of 1 J: what is less is none
   static constexpr double kLeastDrift = 1e-9;   ///< %: below it is rounding
   static constexpr double kPowerSeconds = 0.2;  ///< long enough to read, short enough to see a push
 
@@ -145,14 +154,14 @@ class EnergyPanel final : public Panel {
 
   void names(const PanelScope& scope, std::span<const Amount> amounts) const {
     if (!ImGui::BeginTable("energies", 2, ImGuiTableFlags_SizingStretchSame)) return;
-    for (std::size_t k = 0; k < amounts.size(); ++k) {
-      const Amount& amount = amounts[k];
+    for (const Amount& amount : amounts) {
       ImGui::TableNextColumn();
-      ImGui::PushStyleColor(ImGuiCol_Text, seriesColour(k, scope.background));
+      ImGui::PushStyleColor(ImGuiCol_Text, seriesColour(amount.colour, scope.background));
       if (amount.channel == Dissipated && !counted(scope)) {
         ImGui::Text("%s -", amount.name.c_str());
       } else {
-        ImGui::Text("%s %.3g J", amount.name.c_str(), amount.joules);
+        const bool isRounding = std::abs(amount.joules) < kRounding * std::max(1.0, ledger_.scale);
+        ImGui::Text("%s %.3g J", amount.name.c_str(), isRounding ? 0 : amount.joules);
       }
       ImGui::PopStyleColor();
     }
@@ -182,7 +191,7 @@ class EnergyPanel final : public Panel {
         return amount.holder == name && (!driving || amount.channel >= Work || !doesWork(amounts, name));
       };
       const auto amount = std::ranges::find_if(amounts, is);
-      node(scope, middle, half, *amount, seriesColour(std::size_t(amount - amounts.begin()), scope.background));
+      node(scope, middle, half, *amount, seriesColour(amount->colour, scope.background));
     };
     const auto draw = [&](std::span<const PowerFlow::Bond> side, bool driving) {
       for (std::size_t k = 0; k < side.size(); ++k) {

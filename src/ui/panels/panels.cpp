@@ -3,11 +3,14 @@
 #include "ui/panels/panels.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
+
+#include <fmt/core.h>
 
 namespace tyg {
 namespace {
@@ -37,24 +40,23 @@ bool clicked() {
   return ImGui::IsMouseReleased(ImGuiMouseButton_Left) && way.x == 0 && way.y == 0;
 }
 
-/// From here on all that ImGui writes goes to the clipboard too; first what the foot of the window says.
-void beginCopy(const Viewer& viewer) {
+/// What the foot of the window says.
+std::string footText(const Viewer& viewer) {
   StepText step;
   MarginText margin;
   viewer.scenes().describeStep(step);
   describe(viewer.run().margin(), margin);
-  ImGui::LogToClipboard();
-  ImGui::LogText("%s, %s, t = %.6g s\n%s\n", std::string(viewer.scenes().method().name).c_str(), step.data(),
-                 viewer.run().shown().time(), margin.data());
+  std::string text = fmt::format("{}, {}, t = {:.6g} s\n{}\n", viewer.scenes().method().name, step.data(),
+                                 viewer.run().shown().time(), margin.data());
   const std::string& failure = viewer.run().failure().message();
-  if (!failure.empty()) ImGui::LogText("%s\n", failure.c_str());
+  return failure.empty() ? text : text + failure + "\n";
 }
 
-void endCopy(Viewer& viewer) {
+/// What ImGui has written since ImGui::LogToBuffer(). The end of any window, also of a tooltip, ends that.
+std::string takeWritten() {
+  std::string text = ImGui::GetCurrentContext()->LogBuffer.c_str();
   ImGui::LogFinish();
-  const bool leavesTheWindow = ImGui::GetIO().ClipboardUserData != nullptr;  // freeglut has no clipboard
-  viewer.notes().say(leavesTheWindow ? "The numbers at the lower edge and in the open panels are copied."
-                                     : "Copied, but only for fields of this window: freeglut has no clipboard.");
+  return text;
 }
 
 }  // namespace
@@ -233,12 +235,21 @@ bool Panels::busy() const {
 void Panels::draw(Viewer& viewer) {
   watchMouse();
   arrange(Edge::Left), arrange(Edge::Right);
-  const bool copies = std::exchange(copyAsked_, false);
-  if (copies) beginCopy(viewer);
-  for (std::size_t which = 0; which < slots_.size(); ++which) {
-    if (slots_[which].open) drawOne(which, viewer);
+  std::string copy;
+  const bool copies = copyAsked_ && !isPopupOpen();
+  if (copies) {
+    copyAsked_ = false;
+    copy = footText(viewer);
+    ImGui::GetCurrentContext()->HoveredWindow = nullptr;  // no tooltips in this frame: they would end the copy
   }
-  if (copies) endCopy(viewer);
+  for (std::size_t which = 0; which < slots_.size(); ++which) {
+    if (slots_[which].open) drawOne(which, viewer, copies ? &copy : nullptr);
+  }
+  if (!copies) return;
+  ImGui::SetClipboardText(copy.c_str());
+  const bool leavesTheWindow = ImGui::GetIO().ClipboardUserData != nullptr;  // freeglut has no clipboard
+  viewer.notes().say(leavesTheWindow ? "The numbers at the lower edge and in the open panels are copied."
+                                     : "Copied, but only for fields of this window: freeglut has no clipboard.");
 }
 
 void Panels::watchMouse() {
@@ -306,7 +317,8 @@ void Panels::measure(std::size_t which) {
   slot.natural = kind.height > 0 ? kind.height * textSize(kind) : slot.height + ImGui::GetScrollMaxY();
 }
 
-void Panels::drawOne(std::size_t which, Viewer& viewer) {
+/// `copy`: where to add what the panel writes; null: nowhere.
+void Panels::drawOne(std::size_t which, Viewer& viewer, std::string* copy) {
   const PanelKind& kind = panelTable()[which];
   Slot& slot = slots_[which];
   const Background background = viewer.view().drawOptions().background;
@@ -322,12 +334,14 @@ void Panels::drawOne(std::size_t which, Viewer& viewer) {
                     (ImGui::GetIO().WantTextInput ? 0 : ImGuiWindowFlags_NoNav) |
                     (kind.height > 0 ? 0 : ImGuiWindowFlags_AlwaysAutoResize);
   const std::string title(kind.title);
+  if (copy != nullptr) ImGui::LogToBuffer();
   ImGui::Begin(title.c_str(), &open, flags);
   const bool onTitle = ImGui::IsItemHovered();
   ImGui::SetWindowFontScale(size / size_);
   if (!slot.folded) slot.panel->draw({viewer, edits_, coloursOn(background), background, size, tips, colouredBy_});
   if (slot.folded && onTitle && tips) ImGui::SetTooltip("a click unfolds it");
   measure(which);
+  if (copy != nullptr) *copy += takeWritten();
   // ImGui itself moves a panel that would be outside of a small window.
   const bool byHand = ImGui::IsWindowFocused() && ImGui::IsMouseDragging(ImGuiMouseButton_Left);
   ImGui::End();

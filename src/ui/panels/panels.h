@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "ui/panels/panel.h"
@@ -67,7 +68,7 @@ class Panels {
   void handleControl(const WindowEvent& event, Viewer& viewer);
   void arrange(Edge edge);
   void watchMouse();
-  void drawOne(std::size_t which, Viewer& viewer);
+  void drawOne(std::size_t which, Viewer& viewer, std::string* copy);
   void placeNext(std::size_t which);
   void measure(std::size_t which);
   [[nodiscard]] bool isAtEdge(std::size_t which, Edge edge) const;

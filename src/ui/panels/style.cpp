@@ -35,16 +35,22 @@ ImVec4 unpacked(Colour colour, float share = 1) {
   return result;
 }
 
+Colour between(Colour one, Colour other) {
+  const ImVec4 a = unpacked(one), b = unpacked(other);
+  return ImGui::ColorConvertFloat4ToU32({(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2, (a.w + b.w) / 2});
+}
+
 }  // namespace
 
 const Colours& coloursOn(Background background) { return background == Background::Dark ? kOnDark : kOnLight; }
 
 Colour seriesColour(std::size_t k, Background background) {
-  const SeriesColour& both = colourOfSeries(k);
+  // A longer list goes on with the second colour, halfway to the colour of text, so that it repeats none.
+  const bool isLater = k >= kSeriesColours;
+  const SeriesColour& both = colourOfSeries(isLater ? k + 1 : k);
   const std::uint32_t rgb = background == Background::Dark ? both.onDark : both.onLight;
   const Colour colour = IM_COL32(rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255, 255);
-  constexpr float kLaterRounds = 0.55F;  // of the colour, so that a longer list repeats none
-  return k < kSeriesColours ? colour : faded(colour, kLaterRounds);
+  return isLater ? between(colour, coloursOn(background).text) : colour;
 }
 
 Colour faded(Colour colour, float share) { return ImGui::ColorConvertFloat4ToU32(unpacked(colour, share)); }
