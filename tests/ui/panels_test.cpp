@@ -142,7 +142,8 @@ TEST_F(PanelsTest, ControlAndCCopiesEveryOpenPanelWhereverTheMouseRests) {
   ASSERT_TRUE(showsTooltip());
   press('C', true), frames(1);
   const std::string copied = ImGui::GetClipboardText();
-  for (const char* words : {"rk4, step of", "Motion", "gravity", "precision", "kinetic", "work of pushes"}) {
+  for (const char* words :
+       {"rk4, step of", "Motion", "gravity", "precision", "\nEnergy", "kinetic", "work of pushes"}) {
     EXPECT_NE(copied.find(words), std::string::npos) << words << " is missing in\n" << copied;
   }
 }

@@ -255,7 +255,10 @@ class EnergyPanel final : public Panel {
   }
   /// Beside the box at the outer end, where lines to many boxes lie farthest apart, and clear of its own line.
   void number(const PanelScope& scope, ImVec2 outer, ImVec2 masses, float half, const Power& power) const {
-    const std::string text = power.known ? fmt::format("{:.2g} W", std::abs(power.watts)) : "- W";
+    const double watts = std::abs(power.watts);
+    const bool isWhole = watts >= 10 && watts < 1e5;  // two digits would be written as a power of ten
+    const std::string known = isWhole ? fmt::format("{:.0f} W", watts) : fmt::format("{:.2g} W", watts);
+    const std::string text = power.known ? known : "- W";
     const float small = 0.85F * scope.size;
     const float extent = ImGui::GetFont()->CalcTextSizeA(small, 1e6F, 0, text.c_str()).x;
     const float sign = outer.x < masses.x ? 1.0F : -1.0F, beside = half + 0.3F * scope.size + extent / 2;

@@ -54,9 +54,9 @@ std::string footText(const Viewer& viewer) {
 
 /// What ImGui has written since ImGui::LogToBuffer(). The end of any window, also of a tooltip, ends that.
 std::string takeWritten() {
-  std::string text = ImGui::GetCurrentContext()->LogBuffer.c_str();
+  const std::string text = ImGui::GetCurrentContext()->LogBuffer.c_str();
   ImGui::LogFinish();
-  return text;
+  return text + "\n";
 }
 
 }  // namespace
