@@ -118,6 +118,24 @@ TEST(EnergyWatch, ForgetsWhatDampingTookLongAgo) {
   }
 }
 
+TEST(EnergyWatch, DoesNotBelieveTheLossOfBlowsThatTheChecksHappenToMeet) {
+  for (const bool lasts : {false, true}) {
+    Scene scene = softSheet(Damping::Relative);
+    scene.bodies = {{.shape = Shape::Ball}};
+    EnergyWatch watch(scene, makeSheet(scene), {}, 1, false);
+    const double power = watch.ledger({}).scale / 3;
+    bool suspected = false;
+    for (int check = 1; check <= 100; ++check) {
+      for (int step = 1; step <= 8 && watch.suspects(); ++step) watch.sample(lasts || step == 8 ? power : 0);
+      watch.lose(power, check);
+      watch.check({.time = double(check)});
+      suspected = suspected || watch.suspects();
+    }
+    EXPECT_TRUE(suspected);
+    EXPECT_EQ(watch.status(), lasts ? Status::Unstable : Status::Ok);
+  }
+}
+
 TEST(EnergyWatch, CountsTheDriftFromWhereTheLedgerIsFollowed) {
   EnergyWatch watch = quietWatch(false);
   const double scale = watch.ledger({}).scale;

@@ -187,6 +187,24 @@ TEST(Alarm, IsNotRaisedByBlowsOfABodyThatMoves) {
   }
 }
 
+/// A sheet that slides down a slope and bounces while it does: each of the first checks meets a bounce.
+TEST(Alarm, IsNotRaisedWhereChecksMeetShortBlows) {
+  Scene scene = emptyWorld(8, 8);
+  scene.spacing = 0.1, scene.particleMass = 0.01;
+  scene.start = Start::Flat;
+  scene.structural = {50, 0.01}, scene.shear = {25, 0.01};
+  scene.gravity = {9.81 * std::sin(0.35), -9.81 * std::cos(0.35), 0};
+  scene.bodies = {{.shape = Shape::Plane, .at = {0, -0.0053, 0}}};
+  scene.contact = {.stiffness = 500, .friction = 0.3, .grip = 1};
+  fillContact(scene);
+  scene.dt = 0.001;
+  for (const char* name : {"leapfrog", "rk4"}) {
+    Simulation simulation(scene, findMethod(name));
+    simulation.advanceTo(1);
+    EXPECT_EQ(simulation.status(), Status::Ok) << name << " " << simulation.alarmTime();
+  }
+}
+
 TEST(Alarm, IsNotRaisedByTheFirstStepsOfAPushWithNothingElseToCompareThemTo) {
   Scene scene = emptyWorld(1, 1);
   scene.pushes = {{{"middle"}, {1, 0, 0}, 0, 1}};

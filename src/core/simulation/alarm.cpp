@@ -27,13 +27,18 @@ void Alarm::useOrder(int order) {
 }
 
 void Alarm::lose(double power, double time) {
-  const double explained = std::max(0.0, flowedBefore_);
+  const double explained = std::max(0.0, flowedBefore_), span = time - lastTime_;
   lost_ -= std::max(0.0, lost_ - explained) / kMemory;
-  const double lasting = std::min(power, lastPower_);
-  lost_ += (touches_ ? std::min(lasting, powerBefore_) : lasting) * (time - lastTime_);
+  isSure_ = !touches_ || (suspects_ && sampled_ >= kConfirmed * estimated_ * samples_);
+  estimated_ = std::min(power, lastPower_);
+  if (suspects_ && !isSure_) {
+    balance_.lowest = std::numeric_limits<double>::infinity();
+    estimated_ = power = 0;
+  }
+  lost_ += estimated_ * span;
   flowedLately_ *= 1 - 1 / kMemory;
-  powerBefore_ = lastPower_, lastPower_ = power, lastTime_ = time;
-  lossIsPresent_ = true;
+  lastPower_ = power, lastTime_ = time, sampled_ = samples_ = 0;
+  suspects_ = false, lossIsPresent_ = true;
 }
 
 void Alarm::expect(double forcing, double h) { firstSteps_ = std::max(firstSteps_, 5 * forcing * h * h); }
@@ -53,7 +58,10 @@ Status Alarm::check(const StoredEnergy& energy, double work, double flowing) {
   largest_ = std::max({largest_, energy.sizeSinceStart(), std::abs(work - flowing), flowedLately_});
   const double large = scale() + firstSteps_;
   bool rises = stored_.riseTo(stored, large) > (order_ >= 3 ? kThresholdOfHighOrder : kThreshold);
-  if (lossIsPresent_) rises = balance_.riseTo(stored + lost_, large) > kThreshold || rises;
+  if (lossIsPresent_ && balance_.riseTo(stored + lost_, large) > kThreshold) {
+    rises = rises || isSure_;
+    suspects_ = !isSure_;
+  }
   checked_ = true, lossIsPresent_ = false;
   return rises ? Status::Unstable : Status::Ok;
 }

@@ -23,6 +23,8 @@ class Alarm {
   /// little that a rise of this size is no error of a sound run.
   static constexpr double kThresholdOfHighOrder = 1.0 / 32;
   static constexpr double kMemory = 16;
+  /// Of the estimated power: the mean power until the next check that confirms the estimate.
+  static constexpr double kConfirmed = 0.5;
 
   /// `floor` (J): what counts as a large energy in a run where nothing larger happens (a hundredth of stretch);
   /// `startEnergy` = K + E at the start; `order` of the method. `touches`: there are bodies, and blows of the cloth on
@@ -33,13 +35,18 @@ class Alarm {
   /// From here on another method steps, of this order. Its rises count from here.
   void useOrder(int order);
   /// Takes the power (W) that damping takes at a time (s), at the regular checks alone and before check().
-  /// The energy lost between two checks is estimated as the time between them times the lower of the two powers, and
-  /// where bodies are touched of the last three, since each may be that of a short blow. That is too little where the
-  /// motion dies out or grows, and nearly right for a jitter, which stays the same. Each check takes a part 1/kMemory
-  /// off D, so that small errors of the estimate do not add up over a long run; this only lowers the sum, and so never
-  /// sets off the alarm. What winds, pins and bodies have brought is not taken off: it is lost
-  /// all the time, and without it the sum would fall for ever while a cloth jitters in the wind.
+  /// The energy lost between two checks is estimated as the time between them times the lower of the two powers. That
+  /// is too little where the motion dies out or grows, and nearly right for a jitter, which stays the same. It is too
+  /// much where both powers are those of short blows. So where bodies are touched a rise of the second sum is only a
+  /// suspicion until the next check. If the mean of the powers of the steps in between is less than kConfirmed of the
+  /// estimate, the sum begins anew. Each check takes a part 1/kMemory off D, so that small errors of the estimate do
+  /// not add up over a long run; this only lowers the sum, and so never sets off the alarm. What winds, pins and bodies
+  /// have brought is not taken off: it is lost all the time, and without it the sum would fall for ever while a cloth
+  /// jitters in the wind.
   void lose(double power, double time);
+  /// Whether sample() is to be called with the power (W) after every step until the next regular check, its own too.
+  [[nodiscard]] bool suspects() const { return suspects_; }
+  void sample(double power) { sampled_ += power, ++samples_; }
   /// To be called for steps of h seconds. `forcing` (J/s2): the sum over the particles of |F|^2 / m, F what steady
   /// forces and pushes do to a particle. A first-order method that begins to fall is ahead of the truth by n/2 of
   /// forcing h^2 after n steps, with nothing else to compare it to while n is small: five of them keep the alarm quiet
@@ -68,10 +75,12 @@ class Alarm {
 
   double floor_ = 0, largest_ = 0, firstSteps_ = 0;
   double flowedLately_ = 0, flowedBefore_ = 0;
-  double lost_ = 0, lastPower_ = 0, powerBefore_ = 0, lastTime_ = 0;
+  double lost_ = 0, lastPower_ = 0, lastTime_ = 0;
+  double estimated_ = 0, sampled_ = 0;  // W, between the last two checks, and the sum of the samples since
+  int samples_ = 0;
   int order_ = 1;
   Sum stored_, balance_;
-  bool touches_ = false, checked_ = false, lossIsPresent_ = true;
+  bool touches_ = false, checked_ = false, lossIsPresent_ = true, suspects_ = false, isSure_ = false;
 };
 
 /// The alarm of a scene that starts with these energies and is stepped by a method of this order.

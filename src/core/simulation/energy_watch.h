@@ -38,10 +38,12 @@ class EnergyWatch {
   void check(const EnergySample& sample);
   /// The same with the energies as a caller gets them.
   Ledger ledger(const EnergySample& sample);
-  /// See Alarm::useOrder, Alarm::expect and Alarm::lose.
+  /// See the functions of Alarm of these names.
   void useOrder(int order) { alarm_.useOrder(order); }
   void expect(double forcing, double h) { alarm_.expect(forcing, h); }
   void lose(double power, double time) { alarm_.lose(power, time); }
+  [[nodiscard]] bool suspects() const { return alarm_.suspects(); }
+  void sample(double power) { alarm_.sample(power); }
 
   /// From now on what is dissipated is followed, or no longer: the drift counts from here.
   void followLedger(bool on, const EnergySample& sample);

@@ -100,6 +100,8 @@ struct Simulation::Impl {
   [[nodiscard]] bool halted() const;
   [[nodiscard]] std::int64_t stepsToCheck() const;
   [[nodiscard]] std::int64_t stepsToQuestion() const;
+  /// How many the methods may take before the alarm or the observer has to be asked.
+  [[nodiscard]] std::int64_t stepsAtOnce() const;
   [[nodiscard]] double nextEdge(double end) const;
   [[nodiscard]] std::int64_t plainTicks(std::int64_t most) const;
   void switchWhatActs();

@@ -34,6 +34,8 @@ bool Simulation::Impl::halted() const {
 
 std::int64_t Simulation::Impl::stepsToCheck() const { return kStepsBetweenChecks - run.steps % kStepsBetweenChecks; }
 
+std::int64_t Simulation::Impl::stepsAtOnce() const { return run.energies.suspects() ? 1 : stepsToQuestion(); }
+
 /// Up to the next energy check, but for large sheets no more than the observer can wait for.
 std::int64_t Simulation::Impl::stepsToQuestion() const {
   if (!observer) return stepsToCheck();
@@ -93,6 +95,7 @@ void Simulation::Impl::finishSteps(double h, int count, double timeAfter) {
   run.largestStep = std::max(run.largestStep, h);
   run.steps += count;
   run.energies.expect(forcing, h);
+  if (run.energies.suspects()) run.energies.sample(backend->power(timeAfter).lost);
   if (run.steps % kStepsBetweenChecks != 0) {
     if (stepsToQuestion() < stepsToCheck()) askObserver();
     return;
@@ -110,7 +113,7 @@ void Simulation::Impl::finishSteps(double h, int count, double timeAfter) {
 /// `steps` steps, the first of which begins now, and the last of which ends at `end`.
 void Simulation::Impl::advance(std::int64_t steps, StepTimes times, double end) {
   for (std::int64_t done = 0; done < steps && !halted();) {
-    const auto some = std::min(steps - done, stepsToQuestion());
+    const auto some = std::min(steps - done, stepsAtOnce());
     backend->steps(times, int(some));
     done += some;
     times.first += some;
@@ -194,7 +197,7 @@ void Simulation::Impl::runTick() {
 /// How many of the next ticks, up to `most`, are one step each with nothing beginning or ending after the first.
 std::int64_t Simulation::Impl::plainTicks(std::int64_t most) const {
   if (stepsFreely() || scene.tear.toughness > 0) return 0;
-  most = run.replay.ticksToNext(run.clock.ticks(), std::min(most, stepsToQuestion()));
+  most = run.replay.ticksToNext(run.clock.ticks(), std::min(most, stepsAtOnce()));
   most = run.pushes.ticksToEdge(run.clock.ticks(), most);
   // Half a tick away from the edge of a scene's push there is no doubt about the tick that it lies in.
   const double edge = nextEdge(run.clock.tickEnd(most)) - run.clock.dt() / 2;
