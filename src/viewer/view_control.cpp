@@ -2,6 +2,7 @@
 #include "viewer/view_control.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -45,13 +46,15 @@ void ViewControl::follow(const Box& cloth, std::span<const Body> bodies, bool ha
 
 void ViewControl::resize(Extent pixels, const Insets& insets) {
   if (pixels == pixels_ && insets == insets_) return;
+  const auto aside = [](const Insets& of) { return std::array{of.left, of.right}; };
+  const bool isLarge = pixels != pixels_ || aside(insets) != aside(insets_);  // lines of text come and go
   pixels_ = pixels;
   insets_ = insets;
   if (!visible()) return;
   if (!framed_) return frameCloth();
   if (!cameraMoved_) {
-    if (hasMoved_) away_ = toBeFitted_ = true;
-    if (before_ && !inPieces_) inView_ = pointsOf(before_->with(lately_));
+    if (isLarge && hasMoved_) away_ = toBeFitted_ = true;
+    if (isLarge && before_ && !inPieces_) inView_ = pointsOf(before_->with(lately_));
     return fitView();
   }
   const FreePart before = std::exchange(part_, freePart());

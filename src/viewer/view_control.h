@@ -35,9 +35,10 @@ class ViewControl {
   void follow(const Box& cloth, std::span<const Body> bodies, bool hasMoved, bool isWhole);
 
   /// Size of the window, and its insets. The first one that is not empty frames the cloth, and what is beside it, in
-  /// the rest (a fifth of each side in any case), as frameCloth() does. Later ones fit what the cloth has taken up in
-  /// the last seconds, and again when its motion has calmed down, until the person moves the camera: from then on the
-  /// cloth stays as large as it is, and slides to the middle of what is free.
+  /// the rest (a fifth of each side in any case), as frameCloth() does. Later ones fit the same again; where more than
+  /// the height that is free changes, what the cloth has taken up in the last seconds, and again when its motion has
+  /// calmed down. Once the person has moved the camera the cloth stays as large as it is, and slides to the middle of
+  /// what is free.
   void resize(Extent pixels, const Insets& insets);
   /// Shows all of the cloth and of the bodies near to it, as large as fits.
   void frameCloth();

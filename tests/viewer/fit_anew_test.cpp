@@ -25,14 +25,28 @@ TEST(FitAnew, AClothWhoseMotionHasCalmedDownIsAsLargeBesideAPanelAsItCanBe) {
     view.resize(kWindow, {});
     const float near = view.camera().distance();
     showSquare(view, 60);
-    if (early) view.resize(kWindow, {.top = 10});
+    if (early) view.resize(kWindow, {.left = 10});
     EXPECT_GT(view.camera().distance(), 2 * near) << "all that the motion may take up";
     showSquare(view, 500);
-    if (!early) view.resize(kWindow, {.top = 10});
+    if (!early) view.resize(kWindow, {.left = 10});
     EXPECT_LT(view.camera().distance(), 1.2F * near);
     view.follow(kSquare, {}, false, true);
     EXPECT_TRUE(view.glides()) << "at a restart it goes back";
   }
+}
+
+TEST(FitAnew, LinesOfTextThatComeAndGoAreNoReason) {
+  ViewControl view;
+  view.begin({{-5, -5, 0}, {5, 5, 0}});
+  view.follow(kSquare, {}, false, true);
+  view.resize(kWindow, {});
+  showSquare(view, 60);
+  view.resize(kWindow, {.top = 10, .bottom = 30});
+  const float distance = view.camera().distance();
+  showSquare(view, 500);
+  EXPECT_EQ(view.camera().distance(), distance);
+  view.follow(kSquare, {}, false, true);
+  EXPECT_FALSE(view.glides());
 }
 
 TEST(FitAnew, AViewThatThePersonHasChosenStays) {
@@ -43,7 +57,7 @@ TEST(FitAnew, AViewThatThePersonHasChosenStays) {
   showSquare(view, 60);
   view.orbit({30, 0}, {});
   const float distance = view.camera().distance();
-  view.resize(kWindow, {.top = 10});
+  view.resize(kWindow, {.left = 10});
   showSquare(view, 500);
   EXPECT_NEAR(view.camera().distance(), distance, 1e-3F * distance);
 }
