@@ -10,7 +10,9 @@
 namespace tyg {
 
 void addLookOption(Command& command, LookOptions& options) {
-  command.option("--look,--show", options.show, "The cloth as lines, as a lit surface, or as both [the scene's, else lines]")
+  command
+      .option("--look,--show", options.show,
+              "The cloth as lines, as a lit surface, or as both [the scene's, else lines]")
       .check([](const std::string& text) {
         return checkOneOf(text, {"lines", "surface", "both"});
       })
