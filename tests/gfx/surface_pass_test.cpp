@@ -130,6 +130,11 @@ TEST_P(SurfacePicture, TheShadowLiesWhereTheLightIsKeptFromTheFloor) {
   EXPECT_GT(darker(1.2F, -0.9F), 60);
   EXPECT_EQ(darker(2.4F, 0), 0);
   EXPECT_EQ(darker(-1.6F, 0), 0) << "beside the cloth, away from its shadow";
+  lamps_.front().colour = {0, 0, 0};
+  options_.show = Show::Surface;
+  EXPECT_EQ(brightness(picture(), {middle.x + 1.7F, -0.99F, middle.z}),
+            brightness(without, {middle.x + 1.7F, -0.99F, middle.z}))
+      << "a lamp that does not shine";
 }
 
 TEST_P(SurfacePicture, TheGroundTakesAShadowOnlyWhileItIsShownAndSeenFromAbove) {

@@ -31,11 +31,12 @@ ShadowPass::Objects::Objects() {
 void ShadowPass::prepare(const Frame& frame) {
   shadow_.reset();
   const DrawOptions& options = frame.options;
-  if (!canvas_.showsSurface(options)) return;
+  const Light& lamp = frame.lights.lights.front();
+  if (!canvas_.showsSurface(options) || lamp.colour == glm::vec3(0)) return;
   const auto ground = options.ground ? std::optional(groundHeight(canvas_.sheet)) : std::nullopt;
   const auto floor = floorOf(options.bodies, ground);
   if (!floor || !(glm::dot(frame.camera.eye() - floor->at, floor->normal) > 0)) return;
-  shadow_ = shadowOn(*floor, frame.lights.lights.front(), frame.camera.watched(), options.bodies);
+  shadow_ = shadowOn(*floor, lamp, frame.camera.watched(), options.bodies);
   if (shadow_) drawMask(frame, *floor);
 }
 
