@@ -74,7 +74,7 @@ TEST(Diet, AChainNeedsNoShearButItsDamping) {
   EXPECT_EQ(shear->lost.largest, found.written.lost.largest) << "a single column has no shear springs";
   EXPECT_TRUE(shear->within);
   EXPECT_FALSE(damping->within);
-  EXPECT_TRUE(found.reduced().scene.shear.present()) << "a change that saves nothing is not made";
+  EXPECT_FALSE(found.reduced().scene.shear.present());
   EXPECT_GT(found.reduced().scene.structural.kd, 0);
 }
 
@@ -135,11 +135,12 @@ TEST(Diet, EveryRowTogetherIsWithinAndCheaperThanTheOneBefore) {
   scene.dt = 0.01;
   const Diet found = diet(scene, 0.02);
   ASSERT_FALSE(found.together.empty());
-  double before = found.written.counted;
+  const DietRow* before = &found.written;
   for (const DietRow& row : found.together) {
     EXPECT_TRUE(row.within) << row.words;
-    EXPECT_LT(row.counted, 0.9 * before) << row.words;
-    before = row.counted;
+    EXPECT_LT(row.counted, 1.1 * before->counted) << row.words;
+    EXPECT_TRUE(row.counted < 0.9 * before->counted || row.lost.rms <= before->lost.rms) << row.words;
+    before = &row;
   }
   EXPECT_NEAR(found.reduced().saved, 1 - found.reduced().seconds / found.written.seconds, 1e-12);
 }

@@ -135,7 +135,13 @@ std::vector<Change> worthKeeping(std::vector<ChangeRow> alone) {
   return changes;
 }
 
-/// Makes one change after the other, and keeps those that save and with which the scene still is within the tolerance.
+/// Whether a change pays: it saves, or it costs the same and loses nothing more.
+bool pays(const DietRow& next, const DietRow& base) {
+  if (next.counted < (1 - kSameCost) * base.counted) return true;
+  return next.counted < (1 + kSameCost) * base.counted && next.lost.rms <= base.lost.rms;
+}
+
+/// Makes one change after the other, and keeps those that pay and with which the scene still is within the tolerance.
 std::vector<DietRow> togetherOn(const DietRow& written, std::vector<Change> open, const Measures& measures) {
   std::vector<DietRow> together;
   const double all = static_cast<double>(open.size()) + 1;
@@ -145,7 +151,7 @@ std::vector<DietRow> togetherOn(const DietRow& written, std::vector<Change> open
     open.erase(open.begin());
     const DietRow& base = together.empty() ? written : together.back();
     std::optional<DietRow> next = bestOf(change, base, measures);
-    if (!next || !next->within || !(next->counted < (1 - kSameCost) * base.counted)) continue;
+    if (!next || !next->within || !pays(*next, base)) continue;
     together.push_back(std::move(*next));
     if (repeats(change)) open.push_back(change);
   }

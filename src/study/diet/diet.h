@@ -60,8 +60,8 @@ struct DietPlan {
 };
 
 /// Puts a scene on the diet. `reference` is of that scene and usable. Changes that keep E within the tolerance and save
-/// more than a tenth of the counted cost are kept together greedily: the largest saving first, halved sheets, longer
-/// steps and cheaper methods again and again.
+/// more than a tenth of the counted cost, or cost the same and lose nothing more, are kept together greedily: the
+/// largest saving first, halved sheets, longer steps and cheaper methods again and again.
 Diet dietOf(const Scene& scene, const Reference& reference, const DietPlan& plan);
 
 }  // namespace tyg

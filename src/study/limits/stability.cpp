@@ -207,6 +207,7 @@ const ForceTerm* mainDamper(const Scene& scene, const StepLimit& limit) {
   const std::array<Mode, 5> modes = modesOf(scene);
   const auto isLimiting = [&](const Mode& mode) { return mode.w2 == limit.mode.w2 && mode.d == limit.mode.d; };
   const auto k = std::size_t(std::ranges::find_if(modes, isLimiting) - modes.begin());
+  if (k == modes.size()) return nullptr;
   double most = modesOf(withoutParticleDamping(scene)).at(k).d;
   const ForceTerm* main = nullptr;
   for (const ForceTerm* term : forceTerms()) {
