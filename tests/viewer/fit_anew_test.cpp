@@ -9,6 +9,13 @@ namespace {
 constexpr Extent kWindow{.width = 1280, .height = 720};
 const Box kSquare{.low = {-1, -1, 0}, .high = {1, 1, 0}};
 
+/// A square at rest, in a motion that may take up five times as much.
+void open(ViewControl& view) {
+  view.begin({{-5, -5, 0}, {5, 5, 0}});
+  view.follow(kSquare, {}, false, true);
+  view.resize(kWindow, {});
+}
+
 /// Frames of 0.02 s of a cloth whose box stays as it is.
 void showSquare(ViewControl& view, int frames) {
   for (int frame = 0; frame < frames; ++frame) {
@@ -20,9 +27,7 @@ void showSquare(ViewControl& view, int frames) {
 TEST(FitAnew, AClothWhoseMotionHasCalmedDownIsAsLargeBesideAPanelAsItCanBe) {
   for (const bool early : {true, false}) {  // the panel opens
     ViewControl view;
-    view.begin({{-5, -5, 0}, {5, 5, 0}});
-    view.follow(kSquare, {}, false, true);
-    view.resize(kWindow, {});
+    open(view);
     const float near = view.camera().distance();
     showSquare(view, 60);
     if (early) view.resize(kWindow, {.left = 10});
@@ -37,9 +42,7 @@ TEST(FitAnew, AClothWhoseMotionHasCalmedDownIsAsLargeBesideAPanelAsItCanBe) {
 
 TEST(FitAnew, LinesOfTextThatComeAndGoAreNoReason) {
   ViewControl view;
-  view.begin({{-5, -5, 0}, {5, 5, 0}});
-  view.follow(kSquare, {}, false, true);
-  view.resize(kWindow, {});
+  open(view);
   showSquare(view, 60);
   view.resize(kWindow, {.top = 10, .bottom = 30});
   const float distance = view.camera().distance();
@@ -51,9 +54,7 @@ TEST(FitAnew, LinesOfTextThatComeAndGoAreNoReason) {
 
 TEST(FitAnew, AViewThatThePersonHasChosenStays) {
   ViewControl view;
-  view.begin({{-5, -5, 0}, {5, 5, 0}});
-  view.follow(kSquare, {}, false, true);
-  view.resize(kWindow, {});
+  open(view);
   showSquare(view, 60);
   view.orbit({30, 0}, {});
   const float distance = view.camera().distance();
