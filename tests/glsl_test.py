@@ -32,23 +32,34 @@ def shader_programs():
 
 
 def kernel_programs():
+    # The types are those of src/gpu/kernel.cpp.
+    types = re.findall(r'"(#define [^"]*)"', (source / "src/gpu/kernel.cpp").read_text())
+    half = len(types) // 2
+    in_double, in_float = ("".join(lines).replace("\\n", "\n") for lines in (types[:half], types[half:]))
+    assert "dvec3" in in_double and "real float" in in_float, types
+
     def program(defines, *names):
         return "#version 430 core\n" + defines + "".join((kernels / name).read_text() for name in names)
 
     step = ["fields.glsl", "exact.glsl", "springs.glsl", "air.glsl", "contact.glsl", "force.glsl", "step.glsl"]
     # With all terms and with none; every update with every damping law.
     for terms, update, damping in product([0, 1], range(7), range(3)):
-        defines = f"#define UPDATE {update}\n#define DAMPING {damping}\n"
+        defines = in_float + f"#define UPDATE {update}\n#define DAMPING {damping}\n"
         defines += "".join(f"#define {name} {terms}\n" for name in "STRUCTURAL SHEAR BEND AIR CONTACT CUT".split())
         yield f"step.glsl, terms {terms}, update {update}, damping {damping}", program(defines, *step), "comp"
-    alone = {path.name for path in kernels.glob("*.glsl")} - set(step)
+    measure = ["fields.glsl", "exact_double.glsl", "air.glsl", "contact.glsl", "measure.glsl"]
+    for terms, energy, axial in product([0, 1], [0, 1], [0, 1]):
+        defines = in_double + f"#define ENERGY {energy}\n#define AXIAL {axial}\n"
+        defines += "".join(f"#define {name} {terms}\n" for name in "AIR CONTACT CUT".split())
+        yield f"measure.glsl, terms {terms}, energy {energy}, axial {axial}", program(defines, *measure), "comp"
+    alone = {path.name for path in kernels.glob("*.glsl")} - {*step, *measure}
     for name in sorted(alone):
-        yield name, program("#define CUT 0\n", "fields.glsl", name), "comp"
+        yield name, program(in_float + "#define CUT 1\n", "fields.glsl", name), "comp"
 
 
 assert complaint("#version 430 core\nvoid main() { int whole = 1.5; }\n", "vert"), "it takes what is wrong"
 programs = [*shader_programs(), *kernel_programs()]
-assert len(programs) > 60, f"only {len(programs)} programs"
+assert len(programs) > 70, f"only {len(programs)} programs"
 bad = [f"{name}: {said}" for name, text, stage in programs if (said := complaint(text, stage))]
 print("\n".join(bad))
 sys.exit(1 if bad else 0)

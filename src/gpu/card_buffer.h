@@ -23,17 +23,18 @@ class CardBuffer {
     gl_->BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
     bytes_ = bytes;
   }
-  void write(const void* from, std::size_t bytes) {
-    reserve(bytes);
+  /// From this byte on.
+  void write(const void* from, std::size_t bytes, std::size_t begin = 0) {
+    reserve(begin + bytes);
     bind();
-    gl_->BufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), from);
+    gl_->BufferSubData(GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(begin), static_cast<GLsizeiptr>(bytes), from);
   }
   /// What the kernels have written.
-  void read(void* to, std::size_t bytes) const {
+  void read(void* to, std::size_t bytes, std::size_t begin = 0) const {
     gl_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     card_->countRead(bytes);
     bind();
-    gl_->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), to);
+    gl_->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(begin), static_cast<GLsizeiptr>(bytes), to);
   }
   /// Takes over what another one of the same size holds.
   void copyFrom(const CardBuffer& other) {

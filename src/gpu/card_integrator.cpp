@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "gpu/card_measure.h"
 #include "gpu/card_positions.h"
 #include "tyg/input_error.h"
 #include "util/text.h"
@@ -29,26 +30,31 @@ KernelTerms termsOf(const Scene& scene, const Sheet& sheet) {
           .cut = !sheet.missing.none()};
 }
 
-/// The state of the sheet on the card, destroyed in the card's thread.
+/// A sheet on the card and what measures it, destroyed in the card's thread.
 class OwnedSheet {
  public:
   OwnedSheet(std::shared_ptr<Card> card, const Layout& layout) : card_(std::move(card)) {
-    card_->run([&] { sheet_ = std::make_unique<CardSheet>(*card_, layout); });
+    card_->run([&] {
+      sheet_ = std::make_unique<CardSheet>(*card_, layout);
+      measure_ = std::make_unique<CardMeasure>(*card_, *sheet_);
+    });
   }
   ~OwnedSheet() {
-    card_->run([&] { sheet_.reset(); });
+    card_->run([&] { measure_.reset(), sheet_.reset(); });
   }
   OwnedSheet(const OwnedSheet&) = delete;
   OwnedSheet& operator=(const OwnedSheet&) = delete;
 
-  [[nodiscard]] CardSheet& operator*() const { return *sheet_; }
+  [[nodiscard]] CardSheet& sheet() const { return *sheet_; }
+  [[nodiscard]] CardMeasure& measure() const { return *measure_; }
 
  private:
   std::shared_ptr<Card> card_;
   std::unique_ptr<CardSheet> sheet_;
+  std::unique_ptr<CardMeasure> measure_;
 };
 
-class CardIntegrator final : public Integrator<float> {
+class CardIntegrator final : public Integrator<float>, public DeviceState<float> {
  public:
   CardIntegrator(std::shared_ptr<Card> card, const Scheme& scheme, const Scene& scene, const Sheet& sheet)
       : card_(std::move(card)), scheme_(&scheme), sheet_(sheet), terms_(termsOf(scene, sheet)), layout_(sheet) {}
@@ -58,12 +64,11 @@ class CardIntegrator final : public Integrator<float> {
   }
   void steps(Forces<float>& forces, State<float>& state, const StepTimes& times, int count) override;
   void fetch(State<float>& state) override;
-  std::shared_ptr<const DevicePositions> positionsOnDevice(const State<float>& state) override;
-  /// Whoever has changed the state has fetched it first.
-  void reset() override {
-    hasForce_ = false;
-    if (stateIsHere_) stateIsOnCard_ = false;
+  DeviceState<float>* onDevice(const State<float>& state) override {
+    bringToCard(state);
+    return this;
   }
+  void reset() override { hasForce_ = false; }
   void useParameters(const Scene& scene, const Sheet& sheet) override {
     refuseOnCard(*card_, scene, sheet);
     sheet_ = sheet, terms_ = termsOf(scene, sheet);
@@ -75,8 +80,14 @@ class CardIntegrator final : public Integrator<float> {
     return hasForce_ ? 3 * sizeof(float) * std::size_t(layout_.plane) : 0;
   }
 
+  [[nodiscard]] ParticleState particle(int index) override;
+  void place(int index, const ParticleState& particle) override;
+  [[nodiscard]] StoredEnergy energy(const Forces<float>& forces, double time) override;
+  [[nodiscard]] Power power(const Forces<float>& forces, double time) override;
+  [[nodiscard]] Largest largest() override;
+  [[nodiscard]] std::shared_ptr<const DevicePositions> positions() override;
+
  private:
-  [[nodiscard]] static CardActing actingOn(const Forces<float>& forces, const std::vector<double>& times);
   void bringToCard(const State<float>& state);
   static void addPowerOfPins(const Forces<float>& forces, const State<float>& state, const std::vector<float>& felt,
                              std::vector<Power>& powers);
@@ -93,52 +104,24 @@ class CardIntegrator final : public Integrator<float> {
   VectorField<float> kept_{};  // that force, where this is a copy that has not been used
 };
 
-/// How many numbers of a gust and of a body kernels/air.glsl and kernels/contact.glsl expect.
-constexpr std::size_t kGustSize = 7, kSolidSize = 12;
-
-template <std::size_t count>
-void add(const float (&from)[count], std::vector<float>& to) {
-  to.insert(to.end(), std::begin(from), std::end(from));
+/// At these times, as the terms themselves work it out.
+CardMoments<float> momentsOf(const Forces<float>& forces, const std::vector<double>& times) {
+  CardMoments<float> moments;
+  for (const double time : times) moments.add(forces.numbersAt(time));
+  return moments;
 }
 
-void addGusts(const AirTerm::Numbers<float>& air, CardActing& acting, CardActing::Moment& moment) {
-  std::ranges::copy(air.steady, moment.steadyWind.begin());
-  moment.firstGust = int(acting.gusts.size() / kGustSize);
-  for (const AirTerm::Gusts<float>* gusts = air.firstGusts; gusts != air.endGusts; ++gusts) {
-    add(gusts->amplitude, acting.gusts), add(gusts->wave, acting.gusts);
-    acting.gusts.push_back(gusts->phase);
-  }
-  moment.endGust = int(acting.gusts.size() / kGustSize);
-}
-
-void addSolids(const ContactTerm::Numbers<float>& contact, CardActing& acting, CardActing::Moment& moment) {
-  moment.firstSolid = int(acting.solids.size() / kSolidSize);
-  for (const ContactTerm::Solid<float>* solid = contact.firstSolid; solid != contact.endSolid; ++solid) {
-    acting.solids.push_back(float(int(solid->shape)));
-    add(solid->at, acting.solids), add(solid->axis, acting.solids);
-    acting.solids.push_back(solid->perSquare), acting.solids.push_back(solid->radius);
-    add(solid->velocity, acting.solids);
-  }
-  moment.endSolid = int(acting.solids.size() / kSolidSize);
-}
-
-/// The moments of all evaluations, worked out by the terms themselves.
-CardActing CardIntegrator::actingOn(const Forces<float>& forces, const std::vector<double>& times) {
-  CardActing acting{.pushes = forces.pushes(), .movingPins = forces.movingPins()};
-  for (const double time : times) {
-    acting.numbers = forces.numbersAt(time);
-    CardActing::Moment& moment = acting.moments.emplace_back();
-    addGusts(acting.numbers, acting, moment);
-    addSolids(acting.numbers, acting, moment);
-  }
-  return acting;
+CardMoments<double> energyMomentsOf(const Forces<float>& forces, const std::vector<double>& times) {
+  CardMoments<double> moments;
+  for (const double time : times) moments.add(forces.energyNumbersAt(time));
+  return moments;
 }
 
 void CardIntegrator::bringToCard(const State<float>& state) {
   if (!onCard_) onCard_ = std::make_unique<OwnedSheet>(card_, layout_);
   if (sheetIsOnCard_ && stateIsOnCard_) return;
   card_->run([&] {
-    CardSheet& sheet = **onCard_;
+    CardSheet& sheet = onCard_->sheet();
     if (!sheetIsOnCard_) sheet.useSheet(sheet_, terms_);
     if (stateIsOnCard_) return;
     sheet.write(Field::X, state.position), sheet.write(Field::V, state.velocity);
@@ -150,13 +133,53 @@ void CardIntegrator::bringToCard(const State<float>& state) {
 
 void CardIntegrator::fetch(State<float>& state) {
   if (std::exchange(stateIsHere_, true)) return;
-  card_->run([&] { (**onCard_).read(Field::X, state.position), (**onCard_).read(Field::V, state.velocity); });
+  card_->run([&] { onCard_->sheet().read(Field::X, state.position), onCard_->sheet().read(Field::V, state.velocity); });
 }
 
-std::shared_ptr<const DevicePositions> CardIntegrator::positionsOnDevice(const State<float>& state) {
+ParticleState CardIntegrator::particle(int index) {
+  ParticleState found;
+  card_->run([&] { found = onCard_->sheet().particle(index); });
+  return found;
+}
+
+void CardIntegrator::place(int index, const ParticleState& particle) {
+  card_->run([&] { onCard_->sheet().place(index, particle); });
+}
+
+StoredEnergy CardIntegrator::energy(const Forces<float>& forces, double time) {
+  StoredEnergy found;
+  card_->run([&] {
+    onCard_->sheet().showState();
+    onCard_->measure().use(energyMomentsOf(forces, {time}));
+    found = onCard_->measure().energy();
+  });
+  return found;
+}
+
+Power CardIntegrator::power(const Forces<float>& forces, double time) {
+  if (!forces.hasPower()) return {};
+  Power found;
+  card_->run([&] {
+    onCard_->sheet().showState();
+    onCard_->measure().use(energyMomentsOf(forces, {time}));
+    onCard_->measure().beginPower(0);
+    found = onCard_->measure().powers().front();
+  });
+  return found;
+}
+
+CardIntegrator::Largest CardIntegrator::largest() {
+  Largest found;
+  card_->run([&] {
+    onCard_->sheet().showState();
+    found = onCard_->measure().largest();
+  });
+  return found;
+}
+
+std::shared_ptr<const DevicePositions> CardIntegrator::positions() {
   if (!card_->draws()) return nullptr;
-  bringToCard(state);
-  return std::make_shared<const CardPositions>(card_, **onCard_, layout_.columns * layout_.rows);
+  return std::make_shared<const CardPositions>(card_, onCard_->sheet(), layout_.columns * layout_.rows);
 }
 
 /// As Forces has it: minus every force on a moving pin times its velocity, which no step changes: it is here.
@@ -177,19 +200,18 @@ void CardIntegrator::steps(Forces<float>& forces, State<float>& state, const Ste
   bringToCard(state);
   const bool hadForce = hasForce_;
   const std::vector<double> evaluated = scheme_->times(times, count, hadForce);
-  CardActing acting = actingOn(forces, evaluated);
-  std::vector<Power> powers(evaluated.size(), forces.power());
-  if (forces.tracksDissipation()) {
-    acting.watch = [&, k = std::size_t{0}](const auto& position, const auto& velocity) mutable {
-      powers.at(k) = forces.powerOf(evaluated.at(k), position, velocity);
-      ++k;
-    };
-  }
+  CardActing acting{
+      .pushes = forces.pushes(), .movingPins = forces.movingPins(), .moments = momentsOf(forces, evaluated)};
+  const bool addsUpPower = forces.tracksDissipation() && forces.hasPower();
+  if (addsUpPower) acting.afterPass = [&](std::size_t evaluation) { onCard_->measure().beginPower(evaluation); };
+  std::vector<Power> powers(evaluated.size(), forces.tracksDissipation() ? Power{} : forces.power());
   std::vector<float> felt;
   card_->run([&] {
-    CardSheet& sheet = **onCard_;
-    sheet.act(acting);
+    CardSheet& sheet = onCard_->sheet();
+    if (addsUpPower) onCard_->measure().use(energyMomentsOf(forces, evaluated));
+    sheet.act(std::move(acting));
     scheme_->run(sheet, times.h, forces.inverseMass(), count, hadForce);
+    if (addsUpPower) powers = onCard_->measure().powers();
     felt = sheet.forcesOnPins();
     card_->gl().Finish();  // whoever measures steps, to plan a frame or to give advice, measures the card's work
     card_->refuseErrors();
@@ -207,7 +229,7 @@ std::unique_ptr<Integrator<float>> CardIntegrator::clone() const {
   copy->kept_ = kept_;
   if (hasForce_ && stateIsOnCard_) {
     copy->kept_ = VectorField<float>(layout_);
-    card_->run([&] { (**onCard_).read(Field::Force, copy->kept_); });
+    card_->run([&] { onCard_->sheet().read(Field::Force, copy->kept_); });
   }
   return copy;
 }

@@ -4,30 +4,28 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <utility>
 
 namespace tyg {
 namespace {
 
-constexpr unsigned kKinds = 2, kPushes = 9, kPinForces = 10, kGusts = 11, kSolids = 12;  // bindings
-constexpr unsigned kXyz = 3, kExtremes = 4;                                              // of kernels/gather.glsl
+constexpr unsigned kKinds = 2, kPushes = 9, kPinForces = 10;  // bindings
+constexpr unsigned kXyz = 3, kExtremes = 4;                   // of kernels/gather.glsl
 constexpr int kGroupColumns = 32, kGroupRows = 4;  // particles of a work group, as kernels/fields.glsl has them
 constexpr std::uint32_t kPin = 128;                // of a kind
 constexpr unsigned kMovingShift = 8;
 
 std::array<float, 3> lawOf(const SpringLaw<float>& law) { return {law.ks, law.ksTimesRest, law.kd}; }
-std::array<float, 3> arrayOf(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
-
-void writeFloats(CardBuffer& buffer, const std::vector<float>& numbers) {
-  if (!numbers.empty()) buffer.write(numbers.data(), numbers.size() * sizeof(float));
-}
 
 }  // namespace
 
 CardSheet::CardSheet(Card& card, const Layout& layout)
-    : card_(card), layout_(layout), kinds_(card), pushes_(card), pinForces_(card), gusts_(card), solids_(card) {
+    : card_(card), layout_(layout), kinds_(card), pushes_(card), pinForces_(card), moments_(card) {
   // A kernel may look at a block of memory that it does not use: none of them may be missing.
-  for (CardBuffer* buffer : {&pushes_, &pinForces_, &gusts_, &solids_}) buffer->reserve(sizeof(std::uint32_t));
+  for (CardBuffer* buffer : {&pushes_, &pinForces_}) buffer->reserve(sizeof(std::uint32_t));
 }
 
 CardBuffer& CardSheet::field(Field field) {
@@ -45,6 +43,38 @@ void CardSheet::write(Field to, const VectorField<float>& from) { field(to).writ
 
 void CardSheet::read(Field from, VectorField<float>& to) const {
   fields_.at(std::size_t(from))->read(to.x(), to.bytes());
+}
+
+ParticleState CardSheet::particle(int index) const {
+  std::array<float, 6> numbers{};
+  auto number = numbers.begin();
+  for (const Field from : {Field::X, Field::V}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      fields_.at(std::size_t(from))->read(&*number++, sizeof(float), byteOf(index, axis));
+    }
+  }
+  return {{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
+}
+
+void CardSheet::place(int index, const ParticleState& particle) {
+  const auto put = [&](Field to, const Vec3& v) {
+    int axis = 0;
+    for (const double component : {v.x, v.y, v.z}) {
+      const auto number = float(component);
+      field(to).write(&number, sizeof number, byteOf(index, axis++));
+    }
+  };
+  put(Field::X, particle.position), put(Field::V, particle.velocity);
+}
+
+std::size_t CardSheet::byteOf(int particle, int axis) const {
+  return sizeof(float) * static_cast<std::size_t>(axis * layout_.plane + layout_.at(particle));
+}
+
+void CardSheet::showState() const {
+  fields_.at(std::size_t(Field::X))->show(unsigned(PassRole::Position));
+  fields_.at(std::size_t(Field::V))->show(unsigned(PassRole::Velocity));
+  kinds_.show(kKinds);
 }
 
 void CardSheet::useSheet(const Sheet& sheet, const KernelTerms& terms) {
@@ -76,19 +106,17 @@ void CardSheet::writePushes() {
   if (!numbers.empty()) pushes_.write(numbers.data(), numbers.size() * sizeof(numbers[0]));
 }
 
-void CardSheet::act(const CardActing& acting) {
-  acting_ = acting;
+void CardSheet::act(CardActing acting) {
+  acting_ = std::move(acting);
   evaluation_ = 0;
-  if (!std::ranges::equal(movingPins_, acting.movingPins)) {
-    movingPins_.assign(acting.movingPins.begin(), acting.movingPins.end());
+  if (!std::ranges::equal(movingPins_, acting_.movingPins)) {
+    movingPins_.assign(acting_.movingPins.begin(), acting_.movingPins.end());
     writeKinds();
   }
   writePushes();
-  writeFloats(gusts_, acting.gusts);
-  writeFloats(solids_, acting.solids);
-  pinForces_.reserve(3 * sizeof(float) * movingPins_.size() * acting.moments.size());
+  pinForces_.reserve(3 * sizeof(float) * movingPins_.size() * acting_.moments.moments.size());
+  moments_.write(std::move(acting_.moments));
   kinds_.show(kKinds), pushes_.show(kPushes), pinForces_.show(kPinForces);
-  gusts_.show(kGusts), solids_.show(kSolids);
 }
 
 std::string CardSheet::definesOf(CardUpdate update) const {
@@ -100,26 +128,13 @@ std::string CardSheet::definesOf(CardUpdate update) const {
 }
 
 void CardSheet::setScene(Kernel& kernel) const {
-  const AllTerms::Numbers<float>& numbers = acting_.numbers;
+  const AllTerms::Numbers<float>& numbers = moments_.moments().numbers;
   kernel.set("structural", lawOf(static_cast<const StructuralSprings::Numbers<float>&>(numbers).law));
   kernel.set("shear", lawOf(static_cast<const ShearSprings::Numbers<float>&>(numbers).law));
   kernel.set("bend", lawOf(static_cast<const BendSprings::Numbers<float>&>(numbers).law));
-  kernel.set("weight", arrayOf(numbers.weight));
+  kernel.set("weight", std::to_array(numbers.weight));
   kernel.set("drag", numbers.drag);
   kernel.set("pushCount", int(acting_.pushes.size()));
-  const AirTerm::Numbers<float>& air = numbers;
-  kernel.set("airFactor", air.factor), kernel.set("tinyArea", air.tinyArea);
-  const ContactTerm::Numbers<float>& contact = numbers;
-  kernel.set("contactForce", contact.force), kernel.set("perLayer", contact.perLayer);
-  kernel.set("contactDamping", contact.damping), kernel.set("friction", contact.friction);
-  kernel.set("slip", contact.slip);
-}
-
-void CardSheet::setMoment(Kernel& kernel) const {
-  const CardActing::Moment& moment = acting_.moments.at(evaluation_);
-  kernel.set("steadyWind", moment.steadyWind);
-  kernel.set("firstGust", moment.firstGust), kernel.set("endGust", moment.endGust);
-  kernel.set("firstSolid", moment.firstSolid), kernel.set("endSolid", moment.endSolid);
   kernel.set("pinBase", int(evaluation_ * movingPins_.size()));
 }
 
@@ -127,20 +142,10 @@ void CardSheet::pass(CardUpdate update, std::initializer_list<InPass> roles, flo
   Kernel& kernel = card_.kernel("step.glsl", definesOf(update));
   kernel.use();
   setScene(kernel);
-  setMoment(kernel);
-  ++evaluation_;
+  moments_.tell(kernel, evaluation_);
   run(kernel, roles, step, kick);
-  if (acting_.watch) showTo(roles);
-}
-
-/// What a pass evaluates at is still there when it is over.
-void CardSheet::showTo(std::initializer_list<InPass> roles) {
-  if (watchedPosition_.bytes() == 0) watchedPosition_ = watchedVelocity_ = VectorField<float>(layout_);
-  for (const auto& [role, which] : roles) {
-    if (role == PassRole::Position) read(which, watchedPosition_);
-    if (role == PassRole::Velocity) read(which, watchedVelocity_);
-  }
-  acting_.watch(watchedPosition_, watchedVelocity_);
+  if (acting_.afterPass) acting_.afterPass(evaluation_);
+  ++evaluation_;
 }
 
 void CardSheet::beginLeapfrog(std::initializer_list<InPass> roles, float step, float kick) {
@@ -157,13 +162,21 @@ void CardSheet::gather(const CardBuffer& xyz, const CardBuffer& extremes) {
 }
 
 void CardSheet::run(Kernel& kernel, std::initializer_list<InPass> roles, float step, float kick) {
-  kernel.set("columns", layout_.columns), kernel.set("rows", layout_.rows);
-  kernel.set("stride", int(layout_.stride)), kernel.set("plane", int(layout_.plane));
   kernel.set("stepLength", step), kernel.set("kick", kick);
   for (const auto& [role, which] : roles) field(which).show(unsigned(role));
-  const auto groups = [](int particles, int size) { return static_cast<GLuint>((particles + size - 1) / size); };
+  dispatch(kernel);
+}
+
+void CardSheet::dispatch(Kernel& kernel) const {
+  const auto groups = [](int particles, int size) { return (particles + size - 1) / size; };
+  dispatch(kernel, groups(layout_.columns, kGroupColumns), groups(layout_.rows, kGroupRows));
+}
+
+void CardSheet::dispatch(Kernel& kernel, int groupsAcross, int groupsDown) const {
+  kernel.set("columns", layout_.columns), kernel.set("rows", layout_.rows);
+  kernel.set("stride", int(layout_.stride)), kernel.set("plane", int(layout_.plane));
   const Gl& gl = card_.gl();
-  gl.DispatchCompute(groups(layout_.columns, kGroupColumns), groups(layout_.rows, kGroupRows), 1);
+  gl.DispatchCompute(static_cast<GLuint>(groupsAcross), static_cast<GLuint>(groupsDown), 1);
   gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 

@@ -2,7 +2,6 @@
 // Must not know: methods, which are sequences of passes.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <initializer_list>
 #include <memory>
@@ -12,8 +11,10 @@
 
 #include "core/forces/forces.h"
 #include "core/forces/row_kernel.h"
+#include "core/simulation/device_state.h"
 #include "gpu/card.h"
 #include "gpu/card_buffer.h"
+#include "gpu/card_moments.h"
 
 namespace tyg {
 
@@ -51,16 +52,10 @@ struct KernelTerms {
 struct CardActing {
   std::span<const PushedParticle<float>> pushes;
   std::span<const int> movingPins;
-  AllTerms::Numbers<float> numbers{};    ///< what does not change with time
-  std::vector<float> gusts{}, solids{};  ///< of all moments, as kernels/air.glsl and kernels/contact.glsl have them
-  struct Moment {
-    std::array<float, 3> steadyWind{};  ///< m/s
-    int firstGust = 0, endGust = 0, firstSolid = 0, endSolid = 0;
-  };
-  /// Is shown the positions and the velocities of each evaluation, where somebody wants to see them. That takes longer
-  /// than everything else.
-  std::function<void(const VectorField<float>& position, const VectorField<float>& velocity)> watch{};
-  std::vector<Moment> moments{};  ///< of each evaluation of these steps, in order
+  CardMoments<float> moments{};  ///< of each evaluation of these steps
+  /// Called after the pass of each evaluation, where there is something to call, while programs still see the positions
+  /// and velocities that the forces were evaluated at.
+  std::function<void(std::size_t evaluation)> afterPass{};
 };
 
 /// Made, used and destroyed in the card's thread.
@@ -71,10 +66,18 @@ class CardSheet {
   /// The sheet's pins and what of it is gone; the scene's terms.
   void useSheet(const Sheet& sheet, const KernelTerms& terms);
   /// To be called before the passes of some steps.
-  void act(const CardActing& acting);
+  void act(CardActing acting);
 
   void write(Field field, const VectorField<float>& from);
   void read(Field field, VectorField<float>& to) const;
+  [[nodiscard]] ParticleState particle(int index) const;
+  void place(int index, const ParticleState& particle);
+  /// Lets programs see the positions and velocities of the state, and which particles are pinned.
+  void showState() const;
+  /// Runs a program in use in as many work groups along the columns and the rows; without them, with a thread for each
+  /// particle.
+  void dispatch(Kernel& kernel) const;
+  void dispatch(Kernel& kernel, int groupsAcross, int groupsDown) const;
   /// The positions, Field::X, as x, y, z of each particle, and into six numbers the least and the largest of each.
   void gather(const CardBuffer& xyz, const CardBuffer& extremes);
   void swap(Field a, Field b) { std::swap(fields_.at(std::size_t(a)), fields_.at(std::size_t(b))); }
@@ -86,26 +89,28 @@ class CardSheet {
   /// What each moving pin felt in each evaluation since act(), x, y, z, in order, N.
   [[nodiscard]] std::vector<float> forcesOnPins() const;
 
+  [[nodiscard]] const Sheet& sheet() const { return sheet_; }
+  [[nodiscard]] const KernelTerms& terms() const { return terms_; }
+
  private:
   CardBuffer& field(Field field);
+  [[nodiscard]] std::size_t byteOf(int particle, int axis) const;
   void writeKinds();
   void writePushes();
   [[nodiscard]] std::string definesOf(CardUpdate update) const;
   void setScene(Kernel& kernel) const;
-  void setMoment(Kernel& kernel) const;
-  void showTo(std::initializer_list<InPass> roles);
   void run(Kernel& kernel, std::initializer_list<InPass> roles, float step, float kick);
 
   Card& card_;
   Layout layout_;
   std::array<std::unique_ptr<CardBuffer>, kFields> fields_;
-  CardBuffer kinds_, pushes_, pinForces_, gusts_, solids_;
+  CardBuffer kinds_, pushes_, pinForces_;
+  MomentsOnCard<float> moments_;
   Sheet sheet_;
   KernelTerms terms_;
   CardActing acting_;
-  VectorField<float> watchedPosition_, watchedVelocity_;
   std::vector<int> movingPins_;  // that kinds_ has
-  std::size_t evaluation_ = 0;   // of acting_.moments: the next one
+  std::size_t evaluation_ = 0;   // of the moments: the next one
 };
 
 }  // namespace tyg

@@ -31,11 +31,18 @@ std::string textOf(std::string_view file) {
 }
 
 std::string programOf(std::string_view file, const std::string& defines) {
-  std::string text = "#version 430 core\n" + defines + textOf("fields.glsl");
-  if (file == "step.glsl") {
-    for (const char* part : {"exact.glsl", "springs.glsl", "air.glsl", "contact.glsl", "force.glsl"})
-      text += textOf(part);
-  }
+  const bool inDouble = file == "measure.glsl";
+  std::string text = "#version 430 core\n" + defines;
+  text += inDouble ? "#define real double\n#define real2 dvec2\n#define real3 dvec3\n"
+                     "#define TINY 1e-300lf\n#define WHOLE 6755399441055744.0lf\n"
+                   : "#define real float\n#define real2 vec2\n#define real3 vec3\n"
+                     "#define TINY 1e-30\n#define WHOLE 12582912.0\n";
+  const auto add = [&](std::initializer_list<const char*> parts) {
+    for (const char* part : parts) text += textOf(part);
+  };
+  add({"fields.glsl"});
+  if (file == "step.glsl") add({"exact.glsl", "springs.glsl", "air.glsl", "contact.glsl", "force.glsl"});
+  if (inDouble) add({"exact_double.glsl", "air.glsl", "contact.glsl"});
   return text + textOf(file);
 }
 

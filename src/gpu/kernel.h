@@ -29,7 +29,9 @@ class Kernel {
   // Numbers by name, while the program is in use; a name that it does not use is passed over.
   void set(const char* name, int value) { gl_.Uniform1i(location(name), value); }
   void set(const char* name, float value) { gl_.Uniform1f(location(name), value); }
+  void set(const char* name, double value) { gl_.Uniform1d(location(name), value); }
   void set(const char* name, const std::array<float, 3>& v) { gl_.Uniform3f(location(name), v[0], v[1], v[2]); }
+  void set(const char* name, const std::array<double, 3>& v) { gl_.Uniform3d(location(name), v[0], v[1], v[2]); }
 
  private:
   GLint location(const char* name);

@@ -10,8 +10,9 @@
 namespace tyg {
 
 struct BitsCompared {
-  bool same = true;
-  double strays = 0;  ///< m: how far the particle that is farthest off is from where the processor has it; 0 if same
+  bool same = true;   ///< the state, and the energies that are found in it
+  double strays = 0;  ///< m: how far the particle that is farthest off is from where the processor has it; 0 if same,
+                      ///< and where only energies are not
 };
 
 constexpr int kStepsCompared = 64;

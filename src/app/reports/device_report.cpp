@@ -14,6 +14,11 @@ std::string sentenceOn(const DeviceReport& report) {
   if (report.sameBits) {
     return fmt::format("{}: the same bits as the processor (compared after {} steps)", card, kStepsCompared);
   }
+  if (report.strays == 0) {
+    return fmt::format(
+        "{}: the same bits as the processor for the cloth, but not for its energies (compared after {} steps)", card,
+        kStepsCompared);
+  }
   return fmt::format("{}: not the same bits as the processor; after {} steps a particle is {:.3g} m off", card,
                      kStepsCompared, report.strays);
 }

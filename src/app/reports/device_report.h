@@ -9,7 +9,7 @@ struct DeviceReport {
   std::string device = "cpu";  ///< as --device has it
   std::string name{};          ///< of a graphics card, as its driver calls it
   bool sameBits = true;        ///< as the processor, in the steps that were compared
-  double strays = 0;           ///< m, after these steps, where they are not the same
+  double strays = 0;           ///< m, after these steps, where they are not the same; 0 where only energies are not
 };
 
 /// One sentence about a graphics card; empty for the processor.

@@ -234,10 +234,22 @@ void Forces<T>::clearPushes() {
 }
 
 template <class T>
+AllTerms::Numbers<double> Forces<T>::energyNumbersAt(double time) const {
+  AllTerms::Numbers<double> numbers = kernel_->energyRow;
+  setMoment<double>(numbers, kernel_->energyMoment, kernel_->scene, kernel_->acting, time);
+  return numbers;
+}
+
+template <class T>
+bool Forces<T>::hasPower() const {
+  return kernel_->hasPower;
+}
+
+template <class T>
 StoredEnergy Forces<T>::energy(double time, const State<T>& state) const {
   Kernel& k = *kernel_;
   EnergyRow<T> now = k.energyRow;
-  setMoment<double>(now, k.energyMoment, k.scene, k.acting, time);
+  static_cast<AllTerms::Numbers<double>&>(now) = energyNumbersAt(time);
   workers_.forBands(layout_.rows, [&](int first, int last, int) {
     EnergyRow<T> row = now;
     row.position = state.position.x(), row.velocity = state.velocity.x();
@@ -260,7 +272,7 @@ Power Forces<T>::powerOf(double time, const VectorField<T>& position, const Vect
   Power power;
   if (!k.hasPower) return power;
   EnergyRow<T> now = k.energyRow;
-  setMoment<double>(now, k.energyMoment, k.scene, k.acting, time);
+  static_cast<AllTerms::Numbers<double>&>(now) = energyNumbersAt(time);
   workers_.forBands(layout_.rows, [&](int first, int last, int) {
     EnergyRow<T> row = now;
     row.position = position.x(), row.velocity = velocity.x();

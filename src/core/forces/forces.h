@@ -86,6 +86,11 @@ class Forces {
   [[nodiscard]] std::span<const PushedParticle<T>> pushes() const;
   /// See movePins().
   [[nodiscard]] std::span<const int> movingPins() const { return movingPins_; }
+  /// What energies and powers are worked out with, in double whatever the precision of the state. Valid until it is
+  /// asked for again, or until the next energy.
+  [[nodiscard]] AllTerms::Numbers<double> energyNumbersAt(double time) const;
+  /// Whether damping, drag or a term takes or brings any power.
+  [[nodiscard]] bool hasPower() const;
   /// An evaluation has been done elsewhere, in which this was the power.
   void countEvaluation(const Power& power) {
     ++account_.evaluations;

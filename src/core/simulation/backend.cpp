@@ -73,10 +73,10 @@ class BackendOf final : public Backend {
     acting_ = acting;
     forces_.act(acting_);
   }
-  void placePin(int particle, const Vec3& position, const Vec3& velocity) override {
-    State<T>& edited = state();
-    edited.position.set(particle, position);
-    edited.velocity.set(particle, velocity);
+  void placePin(int particle, const ParticleState& there) override {
+    if (DeviceState<T>* device = integrator_->onDevice(state_)) device->place(particle, there);
+    state_.position.set(particle, there.position);
+    state_.velocity.set(particle, there.velocity);
   }
   void movePins(std::vector<int> particles) override { forces_.movePins(std::move(particles)); }
   void clearPushes() override { forces_.clearPushes(); }
@@ -93,12 +93,18 @@ class BackendOf final : public Backend {
     spectrum_->act(acting_);
     return spectrum_->stableStep(method, state(), time);
   }
-  [[nodiscard]] StoredEnergy energy(double time) const override { return forces_.energy(time, state()); }
+  [[nodiscard]] StoredEnergy energy(double time) const override {
+    if (DeviceState<T>* there = integrator_->onDevice(state_)) return there->energy(forces_, time);
+    return forces_.energy(time, state_);
+  }
   [[nodiscard]] StoredEnergy startEnergy() const override {
     return forces_.energy(0, displacedStart<T>(scene_, sheet_));
   }
   [[nodiscard]] std::vector<SpringEnds> longerThan(double length) const override {
     std::vector<SpringEnds> longer;
+    const T most = T(length * length);
+    if (DeviceState<T>* there = integrator_->onDevice(state_); there && !(there->largest().squaredLength > most))
+      return {};
     const Layout& layout = forces_.layout();
     const T* x = state().position.x();
     const auto squared = [&](std::ptrdiff_t a, std::ptrdiff_t b) {
@@ -109,7 +115,6 @@ class BackendOf final : public Backend {
       }
       return sum;
     };
-    const T most = T(length * length);
     for (int particle = 0; particle < sheet_.count(); ++particle) {
       const std::ptrdiff_t a = layout.at(particle);
       const auto look = [&](bool isThere, Missing::Bit bit, std::ptrdiff_t b, int other) {
@@ -121,7 +126,8 @@ class BackendOf final : public Backend {
     return longer;
   }
   [[nodiscard]] double largestSpeed() const override {
-    const VectorField<T>& velocity = state().velocity;
+    if (DeviceState<T>* there = integrator_->onDevice(state_)) return std::sqrt(double(there->largest().squaredSpeed));
+    const VectorField<T>& velocity = state_.velocity;
     const T *x = velocity.x(), *y = velocity.y(), *z = velocity.z();
     std::array<T, Layout::kLanes> most{};  // of every sixteenth particle: no comparison waits for the one before
     for (std::ptrdiff_t i = 0; i < velocity.layout().plane; i += Layout::kLanes) {
@@ -133,11 +139,15 @@ class BackendOf final : public Backend {
     return std::sqrt(double(std::ranges::max(most)));
   }
   [[nodiscard]] Power power(double time) const override {
-    const State<T>& now = state();
-    return forces_.powerOf(time, now.position, now.velocity);
+    if (DeviceState<T>* there = integrator_->onDevice(state_)) return there->power(forces_, time);
+    return forces_.powerOf(time, state_.position, state_.velocity);
   }
   [[nodiscard]] Power energyOfPower() const override { return forces_.energyOfPower(); }
   [[nodiscard]] std::int64_t evaluations() const override { return forces_.evaluations(); }
+  [[nodiscard]] ParticleState particle(int index) const override {
+    if (DeviceState<T>* there = integrator_->onDevice(state_)) return there->particle(index);
+    return {state_.position.get(index), state_.velocity.get(index)};
+  }
   [[nodiscard]] Vec3 position(int particle) const override { return state().position.get(particle); }
   [[nodiscard]] Vec3 velocity(int particle) const override { return state().velocity.get(particle); }
   [[nodiscard]] std::uint64_t hash() const override { return hashOf(state()); }
@@ -155,7 +165,8 @@ class BackendOf final : public Backend {
   }
 
   [[nodiscard]] std::shared_ptr<const DevicePositions> positionsOnDevice() const override {
-    return integrator_->positionsOnDevice(state_);
+    DeviceState<T>* there = integrator_->onDevice(state_);
+    return there == nullptr ? nullptr : there->positions();
   }
 
   [[nodiscard]] std::unique_ptr<Checkpoint> save() const override {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/forces/forces.h"
+#include "core/simulation/device_state.h"
 #include "tyg/method.h"
 #include "tyg/scene.h"
 #include "tyg/simulation.h"
@@ -35,7 +36,7 @@ class Backend {
   /// See Forces::act.
   virtual void act(const Acting& acting) = 0;
   /// Puts a pin there with this velocity, and says which pins move from now on.
-  virtual void placePin(int particle, const Vec3& position, const Vec3& velocity) = 0;
+  virtual void placePin(int particle, const ParticleState& there) = 0;
   virtual void movePins(std::vector<int> particles) = 0;
   virtual void clearPushes() = 0;
   virtual void addPush(int particle, const Vec3& force) = 0;
@@ -57,10 +58,12 @@ class Backend {
   [[nodiscard]] virtual Power power(double time) const = 0;
   [[nodiscard]] virtual Power energyOfPower() const = 0;
   [[nodiscard]] virtual std::int64_t evaluations() const = 0;
+  /// One particle alone. Whoever asks for many asks for their positions and velocities instead.
+  [[nodiscard]] virtual ParticleState particle(int index) const = 0;
   [[nodiscard]] virtual Vec3 position(int particle) const = 0;
   [[nodiscard]] virtual Vec3 velocity(int particle) const = 0;
   virtual void copyPositions(std::span<float> xyz) const = 0;
-  /// See Integrator::positionsOnDevice.
+  /// See DeviceState::positions; null where no device has the state.
   [[nodiscard]] virtual std::shared_ptr<const DevicePositions> positionsOnDevice() const = 0;
   [[nodiscard]] virtual std::uint64_t hash() const = 0;
 

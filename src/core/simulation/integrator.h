@@ -6,7 +6,7 @@
 
 #include "core/forces/forces.h"
 #include "core/forces/state.h"
-#include "core/simulation/device_positions.h"
+#include "core/simulation/device_state.h"
 
 namespace tyg {
 
@@ -30,11 +30,12 @@ class Integrator {
     step(forces, state, t, most);
     return most;
   }
-  /// To be called before the state is read or changed from outside: an integrator that takes its steps on a device may
-  /// leave the state there until then.
+  /// To be called before the state is read from outside: an integrator that takes its steps on a device may leave the
+  /// state there until then.
   virtual void fetch(State<T>& /*state*/) {}
-  /// The positions where a device has them for whoever draws; null where none does.
-  virtual std::shared_ptr<const DevicePositions> positionsOnDevice(const State<T>& /*state*/) { return nullptr; }
+  /// This state on the device that the integrator steps on, valid until the next step; null where there is no device.
+  /// Whoever changes a particle from outside changes it there too.
+  virtual DeviceState<T>* onDevice(const State<T>& /*state*/) { return nullptr; }
   /// Forgets what was kept from the last step. To be called after every change of the state or of the forces from
   /// outside.
   virtual void reset() {}

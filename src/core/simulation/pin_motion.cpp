@@ -58,8 +58,9 @@ void PinMotion::release(int particle) {
 }
 
 void PinMotion::stop(int particle, const Sheet& sheet, Backend& backend) {
-  work_ -= sheet.particleMass / 2 * squared(backend.velocity(particle));
-  backend.placePin(particle, backend.position(particle), {});
+  const ParticleState before = backend.particle(particle);
+  work_ -= sheet.particleMass / 2 * squared(before.velocity);
+  backend.placePin(particle, {before.position, {}});
 }
 
 /// The velocity of each of the pins from now on.
@@ -87,18 +88,19 @@ bool PinMotion::switchAt(const Scene& scene, const Sheet& sheet, const Instant& 
     Pin& pin = pins_[k];
     if (pin.velocity == wanted[k] && !pin.isNew) continue;
     changed = true;
+    const ParticleState before = backend.particle(pin.particle);
     if (pin.velocity == Vec3{}) {
-      pin.from = backend.position(pin.particle);
+      pin.from = before.position;
     } else {
       const double seconds = now.time - pin.since;
       pin.from = {pin.from.x + seconds * pin.velocity.x, pin.from.y + seconds * pin.velocity.y,
                   pin.from.z + seconds * pin.velocity.z};
     }
-    work_ += sheet.particleMass / 2 * (squared(wanted[k]) - squared(backend.velocity(pin.particle)));
+    work_ += sheet.particleMass / 2 * (squared(wanted[k]) - squared(before.velocity));
     pin.velocity = wanted[k];
     pin.since = now.time;
     pin.isNew = false;
-    backend.placePin(pin.particle, pin.from, pin.velocity);
+    backend.placePin(pin.particle, {pin.from, pin.velocity});
   }
   return changed;
 }

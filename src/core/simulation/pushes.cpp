@@ -63,7 +63,7 @@ void Pushes::useSheet(const Sheet& sheet, const Backend& backend) {
 }
 
 void Pushes::turn(Push& push, const Backend& backend) {
-  const Vec3 here = backend.position(push.particle);
+  const Vec3 here = backend.particle(push.particle).position;
   if (push.acting) finishedWork_ += push.workUpTo(here);
   push.from = here;
   push.acting = !push.acting;
@@ -138,7 +138,7 @@ double Pushes::largestForce(const Scene& scene) const {
 
 double Pushes::work(const Backend& backend) const {
   double sum = finishedWork_;
-  forActing([&](const Push& push) { sum += push.workUpTo(backend.position(push.particle)); });
+  forActing([&](const Push& push) { sum += push.workUpTo(backend.particle(push.particle).position); });
   return sum;
 }
 

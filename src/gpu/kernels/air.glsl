@@ -1,54 +1,59 @@
-// The force of the air on each corner of a cell, by the operations of the processor's AirTerm and in their order. The
-// winds of each moment, which the host works out, are steady ones and gusts.
+// What the air does to a cell, by the operations of the processor's AirTerm and in their order. The winds of each moment,
+// which the host works out, are steady ones and gusts.
 
 #if AIR
-layout(std430, binding = 11) readonly buffer Gusts { float gusts[]; };  // of all moments: amplitude, wave, phase, seven each
+layout(std430, binding = 11) readonly buffer Gusts { real gusts[]; };  // of all moments: amplitude, wave, phase, seven each
 uniform int firstGust, endGust;
-uniform vec3 steadyWind;               // m/s
-uniform float airFactor, tinyArea;     // kg/m3, m4
+uniform real3 steadyWind;           // m/s
+uniform real airFactor, tinyArea;  // kg/m3, m4
 
-// The whole number next to one that is far below 2^22: only whole parts are left of a sum with 1.5 * 2^23.
-float nearestWhole(float a) {
-  precise float shifted = a + 12582912.0;
-  precise float whole = shifted - 12582912.0;
+// The whole number next to one that is far below 2^22: only whole parts are left of a sum with WHOLE, 1.5 over epsilon.
+real nearestWhole(real a) {
+  precise real shifted = a + WHOLE;
+  precise real whole = shifted - WHOLE;
   return whole;
 }
 
-vec3 gustAt(int first, vec3 at) {
-  vec3 amplitude = vec3(gusts[first], gusts[first + 1], gusts[first + 2]);
-  vec3 wave = vec3(gusts[first + 3], gusts[first + 4], gusts[first + 5]);
-  precise float p = gusts[first + 6] - dotOf(wave, at);
-  precise float q = 1.0 - 2.0 * abs(p - nearestWhole(p));
-  precise float q2 = q * q;
-  precise float inner = (35.0 - 84.0 * q) + q2 * (70.0 - 20.0 * q);
-  precise float s = 2.0 * ((q2 * q2) * inner) - 1.0;
-  precise vec3 gust = s * amplitude;
+real3 gustAt(int first, real3 at) {
+  real3 amplitude = real3(gusts[first], gusts[first + 1], gusts[first + 2]);
+  real3 wave = real3(gusts[first + 3], gusts[first + 4], gusts[first + 5]);
+  precise real p = gusts[first + 6] - dotOf(wave, at);
+  precise real q = 1.0 - 2.0 * abs(p - nearestWhole(p));
+  precise real q2 = q * q;
+  precise real inner = (35.0 - 84.0 * q) + q2 * (70.0 - 20.0 * q);
+  precise real s = 2.0 * ((q2 * q2) * inner) - 1.0;
+  precise real3 gust = s * amplitude;
   return gust;
 }
 
-vec3 meanOf(vec3 here, vec3 right, vec3 below, vec3 belowRight) {
-  precise vec3 mean = 0.25 * ((here + right) + (below + belowRight));
+real3 meanOf(real3 here, real3 right, real3 below, real3 belowRight) {
+  precise real3 mean = 0.25 * ((here + right) + (below + belowRight));
   return mean;
 }
 
+struct AirOnCell {
+  real3 corner;      // force on each corner, N
+  real3 wind, past;  // the wind there, and the velocity at which it passes the cell, m/s
+};
+
 // Of the cell right and below of a particle.
-vec3 cornerForce(int a) {
+AirOnCell airOnCell(int a) {
   int below = a + stride;
-  vec3 here = positionAt(a), right = positionAt(a + 1), under = positionAt(below), across = positionAt(below + 1);
-  precise vec3 wind = steadyWind;
+  real3 here = positionAt(a), right = positionAt(a + 1), under = positionAt(below), across = positionAt(below + 1);
+  precise real3 wind = steadyWind;
   if (firstGust != endGust) {
-    precise vec3 centre = meanOf(here, right, under, across);
+    precise real3 centre = meanOf(here, right, under, across);
     for (int gust = firstGust; gust != endGust; ++gust) wind = wind + gustAt(7 * gust, centre);
   }
-  precise vec3 past = wind - meanOf(velocityAt(a), velocityAt(a + 1), velocityAt(below), velocityAt(below + 1));
-  precise vec3 downwards = across - here;
-  precise vec3 leftwards = under - right;
-  precise vec3 twiceArea = crossOf(downwards, leftwards);
-  precise float squaredArea = dotOf(twiceArea, twiceArea) + tinyArea;
-  precise float ratio = exactQuotient(dotOf(past, past), squaredArea);
-  precise float factor = airFactor * (dotOf(past, twiceArea) * exactRoot(ratio));
-  precise vec3 corner = factor * twiceArea;
-  return corner;
+  precise real3 past = wind - meanOf(velocityAt(a), velocityAt(a + 1), velocityAt(below), velocityAt(below + 1));
+  precise real3 downwards = across - here;
+  precise real3 leftwards = under - right;
+  precise real3 twiceArea = crossOf(downwards, leftwards);
+  precise real squaredArea = dotOf(twiceArea, twiceArea) + tinyArea;
+  precise real ratio = exactQuotient(dotOf(past, past), squaredArea);
+  precise real factor = airFactor * (dotOf(past, twiceArea) * exactRoot(ratio));
+  precise real3 corner = factor * twiceArea;
+  return AirOnCell(corner, wind, past);
 }
 
 #endif

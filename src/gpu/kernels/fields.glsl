@@ -1,5 +1,5 @@
 // What all passes see: the fields of the sheet, a plane of numbers per component with `plane` numbers from one to the
-// next, and the numbers of the scene.
+// next. `real` is what a program computes in, float or double; the fields are float.
 
 layout(local_size_x = 32, local_size_y = 4) in;
 
@@ -9,9 +9,6 @@ layout(std430, binding = 2) readonly buffer Kinds { uint kinds[]; };
 
 uniform int columns, rows, stride, plane;
 uniform float stepLength, kick;  // s, s/kg
-uniform vec3 weight;             // N
-uniform float drag;              // N s/m
-uniform vec3 structural, shear, bend;  // ks, N/m; ks times the length at rest, N; kd, N s/m
 
 // Of a kind: what of the sheet is gone, as tyg::Missing has it; whether the particle is a pin; and above these bits, of a
 // pin that moves, its place in the list of those, counted from 1.
@@ -32,12 +29,12 @@ bool isThere(int owner, uint bit) {
 }
 
 // Each operation is to round as it stands: `precise` forbids the driver to join a product and a sum.
-float dotOf(vec3 a, vec3 b) {
-  precise float sum = (a.x * b.x + a.y * b.y) + a.z * b.z;
+real dotOf(real3 a, real3 b) {
+  precise real sum = (a.x * b.x + a.y * b.y) + a.z * b.z;
   return sum;
 }
 
-vec3 crossOf(vec3 a, vec3 b) {
-  precise vec3 product = vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+real3 crossOf(real3 a, real3 b) {
+  precise real3 product = real3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
   return product;
 }

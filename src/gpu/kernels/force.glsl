@@ -2,6 +2,8 @@
 // and summed in the order in which the processor's accumulateRow() sums what its rows scatter: that gives the same bits.
 // An addition of zero, which the processor has where a spring is not there, changes nothing and is left out.
 
+uniform vec3 structural, shear, bend;  // ks, N/m; ks times the length at rest, N; kd, N s/m
+
 // The springs at a particle in that order: the columns and rows to their other end, their family (structural, shear,
 // bend), the columns and rows to the particle that they belong to, and their bit there.
 const int springCount = 12;
@@ -36,7 +38,7 @@ vec3 cornerBeside(int k, ivec2 here) {
   ivec2 owner = here + owners[k];
   bool joins = k == above || k == lastOwn || k == left || k == aboveLeft;
   if (!joins || !isInside(owner) || !isInside(owner + ivec2(1)) || !isThere(indexOf(owner), cellBit)) return vec3(0);
-  return cornerForce(indexOf(owner));
+  return airOnCell(indexOf(owner)).corner;
 }
 #endif
 

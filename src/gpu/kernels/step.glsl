@@ -11,6 +11,8 @@ layout(std430, binding = 9) readonly buffer Pushes { uint pushes[]; };  // parti
 layout(std430, binding = 10) writeonly buffer PinForces { float pinForces[]; };
 
 uniform int pushCount, pinBase;
+uniform vec3 weight;  // N
+uniform float drag;   // N s/m
 
 // The pushes on the particle at `a`, one after the other.
 vec3 withPushes(vec3 given, int a) {
