@@ -258,6 +258,7 @@ class WrongMeasure final : public Integrator<float>, public DeviceState<float> {
   void step(Forces<float>& forces, State<float>& state, double t, double h) override {
     right_->step(forces, state, t, h);
   }
+  void reset() override { right_->reset(); }
   DeviceState<float>* onDevice(const State<float>& state) override {
     state_ = &state;
     return this;
