@@ -117,20 +117,23 @@ struct Plan {
 void measure(const std::shared_ptr<GpuDevice>& device, const Traffic& traffic, const Plan& plan,
              double bytesPerSecond) {
   fmt::print("\n{}: ns per particle and step\n", traffic.method);
-  fmt::print("{:>13}{:>12}{:>12}{:>12}{:>12}  {}\n", "particles", "1 thread", "2 threads", "card", "bandwidth", "bits");
+  fmt::print("{:>13}{:>12}{:>12}{:>12}{:>12}{:>14}  {}\n", "particles", "1 thread", "2 threads", "card", "bandwidth",
+             "with ledger", "bits");
   BreakEven beforeOne, beforeTwo;
   for (int count = 32; count <= plan.most; count *= 2) {
     const Scene scene = curtain(count, traffic.method);
-    Cost card;
+    Cost card, withLedger;
     try {
       card = costOf(scene, {.threads = 2, .device = device}, plan.steps);
+      withLedger = costOf(scene, {.threads = 2, .ledger = true, .device = device}, plan.steps);
     } catch (const std::runtime_error& refusal) {
       fmt::print("{:>13}  {}\n", fmt::format("{0} x {0}", count), refusal.what());
       break;
     }
     const Cost one = costOf(scene, {.threads = 1}, plan.steps), two = costOf(scene, {.threads = 2}, plan.steps);
-    fmt::print("{:>13}{:12.2f}{:12.2f}{:12.2f}{:11.1f}%  {}\n", fmt::format("{0} x {0}", count), one.nanoseconds,
-               two.nanoseconds, card.nanoseconds, 100 * traffic.bytes / (card.nanoseconds * 1e-9) / bytesPerSecond,
+    fmt::print("{:>13}{:12.2f}{:12.2f}{:12.2f}{:11.1f}%{:14.2f}  {}\n", fmt::format("{0} x {0}", count),
+               one.nanoseconds, two.nanoseconds, card.nanoseconds,
+               100 * traffic.bytes / (card.nanoseconds * 1e-9) / bytesPerSecond, withLedger.nanoseconds,
                card.hash == one.hash ? "the same" : "DIFFERENT");
     std::fflush(stdout);
     beforeOne.see(count, card.nanoseconds < one.nanoseconds);
@@ -146,7 +149,8 @@ int run(const Plan& plan) {
              device->isProcessor() ? " (no card: the processor stands in for one)" : "");
   fmt::print("Processor: {}\n", machineName());
   fmt::print(
-      "bandwidth: the share of the card's that a step uses; bits: are the card's the processor's, after all steps?\n");
+      "bandwidth: the share of the card's that a step uses; with ledger: the card works out the power of every step as "
+      "well; bits: are the card's the processor's, after all steps?\n");
   for (const Traffic& traffic : kTraffic) measure(device, traffic, plan, bytesPerSecond);
   return 0;
 }
