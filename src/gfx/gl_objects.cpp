@@ -25,13 +25,13 @@ std::string_view shaderText(const std::string& file) {
 /// With the one file that it may include in its place (`#include "NAME"` on a line of its own), and with the defines
 /// after its version.
 std::string completeText(const std::string& file, std::string_view defines) {
-  constexpr std::string_view kVersion = "#version 330 core\n", kInclude = "#include \"";
+  constexpr std::string_view kInclude = "#include \"";
   std::string text(shaderText(file));
   if (const std::size_t line = text.find(kInclude); line != std::string::npos) {
     const std::size_t name = line + kInclude.size(), end = text.find('"', name);
     text.replace(line, end + 1 - line, shaderText(text.substr(name, end - name)));
   }
-  return text.insert(text.find(kVersion) + kVersion.size(), defines);
+  return text.insert(text.find('\n', text.find("#version")) + 1, defines);
 }
 
 /// Deletes the shader again when linking is over or has failed.

@@ -2,15 +2,18 @@
 // TYG_STORE_PICTURES=1 in the environment writes the stored pictures anew (look at them before you keep them).
 #include "gfx/contexts/offscreen.h"
 
+#include <glad/gl.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
 #include <vector>
 
 #include "files.h"
+#include "gfx/contexts/compute_context.h"
 #include "gfx/passes/sheet_renderer.h"
 
 namespace tyg {
@@ -210,6 +213,7 @@ double warmth(const Picture& picture, int from, int to) {
 TEST_P(OffscreenPicture, NumbersOfTheParticlesColourTheLinesBetweenThem) {
   const Sheet sheet = hangingSheet();
   std::vector<float> values;
+  values.reserve(static_cast<std::size_t>(sheet.count()));
   for (int i = 0; i < sheet.count(); ++i) values.push_back(float(i % sheet.columns));
   DrawOptions options;
   options.pins = options.ground = false;
@@ -308,6 +312,24 @@ TEST(SheetRenderer, ShowsEveryShapeOfClothInAFairShareOfThePicture) {
           << shape.x << "x" << shape.y << (start == Start::Flat ? " flat" : "");
     }
   }
+}
+
+/// Of the context that is current, 43 for OpenGL 4.3.
+int versionNow() {
+  GLint major = 0, minor = 0;
+  glGetIntegerv(GL_MAJOR_VERSION, &major), glGetIntegerv(GL_MINOR_VERSION, &minor);
+  return 10 * major + minor;
+}
+
+TEST_P(OffscreenPicture, IsMadeWhereACardCanComputeIfTheDriverHasWhatThatTakes) {
+  try {
+    (void)makeComputeContext();
+  } catch (const std::runtime_error& error) {
+    GTEST_SKIP() << error.what();
+  }
+  const auto context = makeOffscreen(GetParam(), kWidth, kHeight);
+  EXPECT_GE(versionNow(), 43);
+  EXPECT_NE(context->find()("glDispatchCompute"), nullptr);
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, OffscreenPicture, testing::ValuesIn(offscreenKinds().begin(), offscreenKinds().end()),

@@ -75,7 +75,8 @@ int renderChosen(const RenderOptions& options) {
   request.out = options.out.value_or(fileStem(scene.name) + (request.times.size() > 1 ? "" : ".png"));
   request.draw.background = options.light ? Background::Light : Background::Dark;
   request.threads = options.scene.threads.value_or(0);
-  request.device = chosenDevice(options.device, scene, request.threads, "tyg render").device;
+  openOffscreenFor(request, options.device.asksForCard());
+  request.device = chosenDevice(options.device, scene, request.threads, "tyg render", request.offscreen->find()).device;
   return render(scene, request);
 }
 

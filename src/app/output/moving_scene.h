@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "app/output/progress.h"
 #include "tyg/scene.h"
 #include "tyg/simulation.h"
+#include "view/box.h"
+#include "view/drawn_positions.h"
 
 namespace tyg {
 
@@ -24,13 +27,19 @@ class MovingScene {
   /// Goes on to this time, s, which is met exactly. False when the cloth is lost or somebody said stop.
   bool reach(double time);
 
-  [[nodiscard]] std::span<const float> xyz() const { return xyz_; }       ///< x, y, z of every particle, m
+  /// x, y, z of every particle, m; read back here where a device has them.
+  [[nodiscard]] std::span<const float> xyz();
+  /// The same for whoever draws, until reach() is called again.
+  [[nodiscard]] DrawnPositions drawn();
+  [[nodiscard]] Box box();                                                ///< around all particles, m
   [[nodiscard]] std::span<const Body> bodies() const { return bodies_; }  ///< with Body::at where they are now
   [[nodiscard]] Simulation& simulation() { return simulation_; }
 
  private:
   Simulation simulation_;
+  std::shared_ptr<const DevicePositions> onDevice_;  // null: no device has them in the context that draws
   std::vector<float> xyz_;
+  bool isHere_ = false;  // in xyz_
   std::vector<Body> bodies_;
 };
 

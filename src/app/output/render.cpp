@@ -15,7 +15,6 @@
 #include "app/output/moving_scene.h"
 #include "app/output/progress.h"
 #include "core/forces/terms/air.h"
-#include "gfx/contexts/offscreen.h"
 #include "gfx/movie.h"
 #include "gfx/picture_texture.h"
 #include "study/motion/telling_moment.h"
@@ -51,16 +50,15 @@ Form formOf(const fs::path& out) {
 
 Settings settingsOf(const RenderRequest& request) { return {.threads = request.threads, .device = request.device}; }
 
-std::size_t columnsOf(MovingScene& motion) { return static_cast<std::size_t>(motion.simulation().sheet().columns); }
-
 /// Gathers what a still view has to hold.
 class Framing {
  public:
-  /// `columns` of the sheet.
-  void include(std::span<const float> xyz, std::size_t columns, std::span<const Body> bodies) {
-    const Box here = boxAround(xyz);
-    addBodyPoints(bodies, here, points_);
+  void include(MovingScene& motion) {
+    const Box here = motion.box();
+    addBodyPoints(motion.bodies(), here, points_);
     all_ = all_ ? all_->with(here) : here;
+    const std::span<const float> xyz = motion.xyz();
+    const auto columns = static_cast<std::size_t>(motion.simulation().sheet().columns);
     const std::size_t count = xyz.size() / 3, rows = count / columns;
     const auto stride = static_cast<std::size_t>(std::ceil(std::sqrt(double(count) / kFramingPoints)));
     for (const std::size_t row : spread(rows, stride)) {
@@ -93,15 +91,14 @@ class Framing {
 /// Draws one sheet off-screen.
 class Studio {
  public:
-  Studio(const Sheet& sheet, bool hasSolids, const RenderRequest& request)
-      : request_(request), offscreen_(makeOffscreen(request.size.x, request.size.y)), renderer_(sheet) {
+  Studio(const Sheet& sheet, bool hasSolids, const RenderRequest& request) : request_(request), renderer_(sheet) {
     if (hasSolids && request.size.x <= kLargestSmooth && request.size.y <= kLargestSmooth) {
       smooth_ = std::make_unique<PictureTexture>(request.size.x, request.size.y);
     }
   }
 
   const Picture& draw(MovingScene& motion, Camera& camera) {
-    camera.watch(boxAround(motion.xyz()));
+    camera.watch(motion.box());
     DrawOptions options = request_.draw;
     options.wind = windNow(motion.simulation(), camera.watched());
     options.bodies = motion.bodies();
@@ -109,9 +106,9 @@ class Studio {
     options.show = request_.show.value_or(motion.simulation().scene().look.show);
     const auto draw = [&] {
       renderer_.follow(motion.simulation().sheet());
-      renderer_.draw(motion.xyz(), camera, request_.size, options, pushNow(motion.simulation()));
+      renderer_.draw(motion.drawn(), camera, request_.size, options, pushNow(motion.simulation()));
     };
-    const auto read = [&] { offscreen_->readPixels(picture_); };
+    const auto read = [&] { request_.offscreen->readPixels(picture_); };
     smooth_ ? smooth_->draw(draw) : draw();
     smooth_ ? smooth_->read(read) : read();
     return picture_;
@@ -137,21 +134,25 @@ class Studio {
   }
 
   const RenderRequest& request_;
-  std::unique_ptr<Offscreen> offscreen_;    // before the renderer: its objects live in this context
   std::unique_ptr<PictureTexture> smooth_;  // lines are smooth by themselves, outlines of bodies and surfaces are not
   SheetRenderer renderer_;
   Picture picture_;
 };
 
-/// Machines without any OpenGL are told so as for every output that cannot be made.
-Studio openStudio(const Simulation& simulation, const RenderRequest& request) {
+/// Machines that cannot draw are told so as for every output that cannot be made.
+template <class Open>
+auto opened(const Open& open) {
   try {
-    const Scene& scene = simulation.scene();
-    const bool hasSurface = request.show.value_or(scene.look.show) != Show::Lines;
-    return {simulation.sheet(), hasSurface || !scene.bodies.empty(), request};
+    return open();
   } catch (const std::runtime_error& error) {
     throw InputError(error.what());
   }
+}
+
+Studio openStudio(const Simulation& simulation, const RenderRequest& request) {
+  const Scene& scene = simulation.scene();
+  const bool hasSurface = request.show.value_or(scene.look.show) != Show::Lines;
+  return opened([&] { return Studio(simulation.sheet(), hasSurface || !scene.bodies.empty(), request); });
 }
 
 std::string frameName(std::size_t frame) { return fmt::format("frame_{:05}.png", frame); }
@@ -188,7 +189,7 @@ int renderPicture(const Scene& scene, const RenderRequest& request) {
   Studio studio = openStudio(motion.simulation(), request);
   if (!motion.reach(time)) return sayStopped(kCommand, motion.simulation(), progress);
   Framing framing;
-  framing.include(motion.xyz(), columnsOf(motion), motion.bodies());
+  framing.include(motion);
   Camera camera = framing.camera(request.size);
   writePng(studio.draw(motion, camera), request.out);
   return kDone;
@@ -203,7 +204,7 @@ int renderSequence(const Scene& scene, const RenderRequest& request) {
   Framing framing;
   for (const double time : request.times) {
     if (!scout.reach(time)) return sayStopped(kCommand, scout.simulation(), progress);
-    framing.include(scout.xyz(), columnsOf(scout), scout.bodies());
+    framing.include(scout);
   }
   Camera camera = framing.camera(request.size);
 
@@ -225,15 +226,20 @@ int renderSequence(const Scene& scene, const RenderRequest& request) {
 
 }  // namespace
 
+void openOffscreenFor(RenderRequest& request, bool onCard) {
+  glm::ivec2& size = request.size;
+  if (formOf(request.out) == Form::Movie) size += size % 2;
+  request.offscreen =
+      opened([&] { return onCard ? makeOffscreenOnCard(size.x, size.y) : makeOffscreen(size.x, size.y); });
+}
+
 int render(const Scene& scene, const RenderRequest& request) {
-  RenderRequest asked = request;
-  if (formOf(asked.out) == Form::Movie) asked.size += glm::ivec2(asked.size.x % 2, asked.size.y % 2);
-  checkOutput(asked);
+  checkOutput(request);
   const InterruptWatch watch;
-  const int code = asked.times.size() == 1 ? renderPicture(scene, asked) : renderSequence(scene, asked);
+  const int code = request.times.size() == 1 ? renderPicture(scene, request) : renderSequence(scene, request);
   if (code == kDone) {
-    std::cout << asked.out.string();
-    if (formOf(asked.out) == Form::Folder) std::cout << ": " << asked.times.size() << " pictures";
+    std::cout << request.out.string();
+    if (formOf(request.out) == Form::Folder) std::cout << ": " << request.times.size() << " pictures";
     std::cout << std::endl;
   }
   return code;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "gfx/contexts/offscreen.h"
 #include "gfx/passes/sheet_renderer.h"
 #include "tyg/simulation.h"
 
@@ -16,20 +17,25 @@ namespace tyg {
 struct RenderRequest {
   std::vector<double> times;   ///< s, >= 0, ascending, at least one
   double fps = 30;             ///< of a movie, > 0
-  glm::ivec2 size{1280, 720};  ///< pixels; a movie's are rounded up to even numbers
+  glm::ivec2 size{1280, 720};  ///< pixels, even numbers where it is a movie
   std::filesystem::path out;   ///< one time: FILE.png; several: FILE.mp4, FILE.gif, else a folder for PNGs
   DrawOptions draw;
-  std::optional<Show> show;          ///< of the cloth; nothing: as the scene has it
-  int threads = 0;                   ///< as Settings::threads
-  std::shared_ptr<Device> device{};  ///< as Settings::device
+  std::optional<Show> show;                ///< of the cloth; nothing: as the scene has it
+  int threads = 0;                         ///< as Settings::threads
+  std::shared_ptr<Offscreen> offscreen{};  ///< draws, and has that size
+  std::shared_ptr<Device> device{};        ///< as Settings::device; it may compute in that context, and goes before it
 };
 
+/// Opens what draws the pictures, on a graphics card where one draws and that is asked for. Rounds the size of a movie
+/// up to even numbers. Throws InputError where nothing can draw.
+void openOffscreenFor(RenderRequest& request, bool onCard);
+
 /// Checks the output, simulates, draws, writes, and names the files on standard output. One view that holds the whole
-/// motion. Returns the program's exit code; throws InputError where the output cannot be written or nothing can draw.
+/// motion. Returns the program's exit code; throws InputError where the output cannot be written.
 int render(const Scene& scene, const RenderRequest& request);
 
 /// What `tyg view` does without a display: a picture, and a movie where ffmpeg is there and the run is long enough for
-/// one, in the current folder under names that no file has yet. `like`: size, show and threads.
+/// one, in the current folder under names that no file has yet. `like`: all but times and output.
 int renderInstead(const Scene& scene, const RenderRequest& like);
 
 }  // namespace tyg

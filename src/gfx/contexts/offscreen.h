@@ -1,5 +1,5 @@
-// An OpenGL 3.3 core context without a window or a display: OSMesa where the program was built with it, or EGL
-// surfaceless; on Windows WGL with a window that is never shown. Must not know: what is drawn.
+// An OpenGL core context without a window or a display, 4.3 where there is one, else 3.3: OSMesa where the program was
+// built with it, or EGL surfaceless; on Windows WGL with a window that is never shown. Must not know: what is drawn.
 #pragma once
 
 #include <memory>
@@ -31,6 +31,9 @@ class Offscreen {
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] virtual OffscreenKind kind() const = 0;
+  using Find = void (*(*)(const char* name))();
+  /// Finds its functions, for whoever computes there too.
+  [[nodiscard]] virtual Find find() const = 0;
   /// What has been drawn so far, opaque.
   [[nodiscard]] Picture readPixels() const;
   /// The same into a picture that is used again, without allocating once it has the size.
@@ -47,5 +50,7 @@ class Offscreen {
 std::unique_ptr<Offscreen> makeOffscreen(OffscreenKind kind, int width, int height);
 /// The first kind that works. Throws std::runtime_error that names each kind and why it failed.
 std::unique_ptr<Offscreen> makeOffscreen(int width, int height);
+/// Of the first graphics card that draws; where none does, the same as makeOffscreen().
+std::unique_ptr<Offscreen> makeOffscreenOnCard(int width, int height);
 
 }  // namespace tyg

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
 
 #include "gfx/contexts/compute_context.h"
 #include "gfx/contexts/offscreen.h"
@@ -18,6 +19,17 @@ std::unique_ptr<ComputeContext> makeOsMesaComputeContext();
 
 /// The version of OpenGL that programs need which compute.
 constexpr int kComputeMajor = 4, kComputeMinor = 3;
+
+/// A context of that version, else of 3.3, which is enough to draw: `make` takes the version. Some drivers give no
+/// later one than they are asked for.
+template <class Make>
+auto makeComputingElseDrawing(const Make& make) {
+  try {
+    return make(kComputeMajor, kComputeMinor);
+  } catch (const std::runtime_error&) {
+    return make(3, 3);
+  }
+}
 
 /// Loads the OpenGL functions through `find`. Throws where they are not those of OpenGL 3.3 core.
 void loadOpenGl(void (*(*find)(const char* name))());

@@ -87,10 +87,14 @@ class OsMesaPixels {
 
 class OsMesaOffscreen final : public Offscreen {
  public:
-  OsMesaOffscreen(int width, int height) : Offscreen(width, height), context_(width, height, 3, 3) {
+  OsMesaOffscreen(int width, int height)
+      : Offscreen(width, height),
+        context_(
+            makeComputingElseDrawing([&](int major, int minor) { return OsMesaPixels(width, height, major, minor); })) {
     loadOpenGl(osMesa().find);
   }
   [[nodiscard]] OffscreenKind kind() const override { return OffscreenKind::OsMesa; }
+  [[nodiscard]] Find find() const override { return osMesa().find; }
 
  private:
   OsMesaPixels context_;

@@ -10,7 +10,7 @@ namespace {
 
 class WglOffscreen final : public Offscreen {
  public:
-  WglOffscreen(int width, int height) : Offscreen(width, height), context_(3, 3) {
+  WglOffscreen(int width, int height) : Offscreen(width, height) {
     loadOpenGl(WglContext::find);
     framebuffer_.make(width, height);
   }
@@ -19,9 +19,10 @@ class WglOffscreen final : public Offscreen {
   WglOffscreen& operator=(const WglOffscreen&) = delete;
 
   [[nodiscard]] OffscreenKind kind() const override { return OffscreenKind::Wgl; }
+  [[nodiscard]] Find find() const override { return WglContext::find; }
 
  private:
-  WglContext context_;
+  WglContext context_ = makeComputingElseDrawing([](int major, int minor) { return WglContext(major, minor); });
   OffscreenFramebuffer framebuffer_;
 };
 
@@ -30,6 +31,9 @@ class WglOffscreen final : public Offscreen {
 std::unique_ptr<Offscreen> makeWglOffscreen(int width, int height) {
   return std::make_unique<WglOffscreen>(width, height);
 }
+
+/// Windows gives the card's driver anyway.
+std::unique_ptr<Offscreen> makeOffscreenOnCard(int width, int height) { return makeOffscreen(width, height); }
 
 }  // namespace tyg
 
