@@ -26,21 +26,26 @@ class CardBuffer {
   /// From this byte on.
   void write(const void* from, std::size_t bytes, std::size_t begin = 0) {
     reserve(begin + bytes);
+    gl_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     bind();
     gl_->BufferSubData(GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(begin), static_cast<GLsizeiptr>(bytes), from);
   }
   /// What the kernels have written.
-  void read(void* to, std::size_t bytes, std::size_t begin = 0) const {
+  void read(void* to, std::size_t bytes) const {
     gl_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     card_->countRead(bytes);
     bind();
-    gl_->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(begin), static_cast<GLsizeiptr>(bytes), to);
+    gl_->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), to);
   }
   /// Takes over what another one of the same size holds.
-  void copyFrom(const CardBuffer& other) {
+  void copyFrom(const CardBuffer& other) { copyFrom(other, 0, 0, bytes_); }
+  /// So many bytes, which begin there in the other one and here in this one.
+  void copyFrom(const CardBuffer& other, std::size_t there, std::size_t here, std::size_t bytes) {
+    gl_->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     gl_->BindBuffer(GL_COPY_READ_BUFFER, other.name_);
     bind();
-    gl_->CopyBufferSubData(GL_COPY_READ_BUFFER, GL_SHADER_STORAGE_BUFFER, 0, 0, static_cast<GLsizeiptr>(bytes_));
+    gl_->CopyBufferSubData(GL_COPY_READ_BUFFER, GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(there),
+                           static_cast<GLintptr>(here), static_cast<GLsizeiptr>(bytes));
   }
   /// Lets the kernels see it at this binding.
   void show(unsigned binding) const { gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name_); }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "gpu/card_measure.h"
@@ -89,6 +90,9 @@ class CardIntegrator final : public Integrator<float>, public DeviceState<float>
 
  private:
   void bringToCard(const State<float>& state);
+  /// What is found in the state on the card, in its thread.
+  template <class Ask>
+  auto asked(const Ask& ask);
   static void addPowerOfPins(const Forces<float>& forces, const State<float>& state, const std::vector<float>& felt,
                              std::vector<Power>& powers);
 
@@ -104,16 +108,17 @@ class CardIntegrator final : public Integrator<float>, public DeviceState<float>
   VectorField<float> kept_{};  // that force, where this is a copy that has not been used
 };
 
-/// At these times, as the terms themselves work it out.
-CardMoments<float> momentsOf(const Forces<float>& forces, const std::vector<double>& times) {
-  CardMoments<float> moments;
-  for (const double time : times) moments.add(forces.numbersAt(time));
-  return moments;
-}
-
-CardMoments<double> energyMomentsOf(const Forces<float>& forces, const std::vector<double>& times) {
-  CardMoments<double> moments;
-  for (const double time : times) moments.add(forces.energyNumbersAt(time));
+/// At these times, as the terms themselves work it out: in float for forces, in double for energies and powers.
+template <class T>
+CardMoments<T> momentsOf(const Forces<float>& forces, const std::vector<double>& times) {
+  CardMoments<T> moments;
+  for (const double time : times) {
+    if constexpr (std::is_same_v<T, float>) {
+      moments.add(forces.numbersAt(time));
+    } else {
+      moments.add(forces.energyNumbersAt(time));
+    }
+  }
   return moments;
 }
 
@@ -136,45 +141,46 @@ void CardIntegrator::fetch(State<float>& state) {
   card_->run([&] { onCard_->sheet().read(Field::X, state.position), onCard_->sheet().read(Field::V, state.velocity); });
 }
 
-ParticleState CardIntegrator::particle(int index) {
-  ParticleState found;
-  card_->run([&] { found = onCard_->sheet().particle(index); });
+template <class Ask>
+auto CardIntegrator::asked(const Ask& ask) {
+  decltype(ask(onCard_->sheet(), onCard_->measure())) found;
+  card_->run([&] {
+    onCard_->sheet().showState();
+    found = ask(onCard_->sheet(), onCard_->measure());
+    card_->refuseErrors();
+  });
   return found;
+}
+
+ParticleState CardIntegrator::particle(int index) {
+  return asked([&](CardSheet& sheet, CardMeasure& /*measure*/) { return sheet.particle(index); });
 }
 
 void CardIntegrator::place(int index, const ParticleState& particle) {
-  card_->run([&] { onCard_->sheet().place(index, particle); });
+  card_->run([&] {
+    onCard_->sheet().place(index, particle);
+    card_->refuseErrors();
+  });
 }
 
 StoredEnergy CardIntegrator::energy(const Forces<float>& forces, double time) {
-  StoredEnergy found;
-  card_->run([&] {
-    onCard_->sheet().showState();
-    onCard_->measure().use(energyMomentsOf(forces, {time}));
-    found = onCard_->measure().energy();
+  return asked([&](CardSheet& /*sheet*/, CardMeasure& measure) {
+    measure.use(momentsOf<double>(forces, {time}));
+    return measure.energy();
   });
-  return found;
 }
 
 Power CardIntegrator::power(const Forces<float>& forces, double time) {
   if (!forces.hasPower()) return {};
-  Power found;
-  card_->run([&] {
-    onCard_->sheet().showState();
-    onCard_->measure().use(energyMomentsOf(forces, {time}));
-    onCard_->measure().beginPower(0);
-    found = onCard_->measure().powers().front();
+  return asked([&](CardSheet& /*sheet*/, CardMeasure& measure) {
+    measure.use(momentsOf<double>(forces, {time}));
+    measure.beginPower(0);
+    return measure.powers().front();
   });
-  return found;
 }
 
 CardIntegrator::Largest CardIntegrator::largest() {
-  Largest found;
-  card_->run([&] {
-    onCard_->sheet().showState();
-    found = onCard_->measure().largest();
-  });
-  return found;
+  return asked([](CardSheet& /*sheet*/, CardMeasure& measure) { return measure.largest(); });
 }
 
 std::shared_ptr<const DevicePositions> CardIntegrator::positions() {
@@ -201,14 +207,14 @@ void CardIntegrator::steps(Forces<float>& forces, State<float>& state, const Ste
   const bool hadForce = hasForce_;
   const std::vector<double> evaluated = scheme_->times(times, count, hadForce);
   CardActing acting{
-      .pushes = forces.pushes(), .movingPins = forces.movingPins(), .moments = momentsOf(forces, evaluated)};
+      .pushes = forces.pushes(), .movingPins = forces.movingPins(), .moments = momentsOf<float>(forces, evaluated)};
   const bool addsUpPower = forces.tracksDissipation() && forces.hasPower();
   if (addsUpPower) acting.afterPass = [&](std::size_t evaluation) { onCard_->measure().beginPower(evaluation); };
   std::vector<Power> powers(evaluated.size(), forces.tracksDissipation() ? Power{} : forces.power());
   std::vector<float> felt;
   card_->run([&] {
     CardSheet& sheet = onCard_->sheet();
-    if (addsUpPower) onCard_->measure().use(energyMomentsOf(forces, evaluated));
+    if (addsUpPower) onCard_->measure().use(momentsOf<double>(forces, evaluated));
     sheet.act(std::move(acting));
     scheme_->run(sheet, times.h, forces.inverseMass(), count, hadForce);
     if (addsUpPower) powers = onCard_->measure().powers();

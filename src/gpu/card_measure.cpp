@@ -62,7 +62,8 @@ StoredEnergy CardMeasure::energy() {
   for (const double* row = found.data(); row != found.data() + found.size(); row += kEnergies) {
     StoredEnergy one;
     one.kinetic = row[0];
-    one.of<StructuralSprings>() = row[1], one.of<Gravity>() = row[2], one.of<ContactTerm>() = row[3];
+    one.of<StructuralSprings>() = row[1];  // all springs share this sum
+    one.of<Gravity>() = row[2], one.of<ContactTerm>() = row[3];
     one.maxStretch = row[4];
     sum.add(one);
   }

@@ -27,6 +27,10 @@ void write(const std::vector<T>& numbers, CardBuffer& buffer) {
 template <class T>
 void CardMoments<T>::add(const AllTerms::Numbers<T>& now) {
   numbers = now;
+  AirTerm::Numbers<T>& itsAir = numbers;
+  ContactTerm::Numbers<T>& itsContact = numbers;
+  itsAir.firstGusts = itsAir.endGusts = nullptr;  // these are of the moment, and do not last
+  itsContact.firstSolid = itsContact.endSolid = nullptr;
   Moment& moment = moments.emplace_back();
   const AirTerm::Numbers<T>& air = now;
   std::ranges::copy(air.steady, moment.steadyWind.begin());

@@ -17,7 +17,7 @@ struct CardMoments {
     std::array<T, 3> steadyWind{};  ///< m/s
     int firstGust = 0, endGust = 0, firstSolid = 0, endSolid = 0;
   };
-  AllTerms::Numbers<T> numbers{};  ///< what does not change
+  AllTerms::Numbers<T> numbers{};  ///< what does not change with time
   std::vector<T> gusts, solids;    ///< of all moments
   std::vector<Moment> moments;     ///< in order
 

@@ -23,7 +23,7 @@ std::array<float, 3> lawOf(const SpringLaw<float>& law) { return {law.ks, law.ks
 }  // namespace
 
 CardSheet::CardSheet(Card& card, const Layout& layout)
-    : card_(card), layout_(layout), kinds_(card), pushes_(card), pinForces_(card), moments_(card) {
+    : card_(card), layout_(layout), kinds_(card), pushes_(card), pinForces_(card), one_(card), moments_(card) {
   // A kernel may look at a block of memory that it does not use: none of them may be missing.
   for (CardBuffer* buffer : {&pushes_, &pinForces_}) buffer->reserve(sizeof(std::uint32_t));
 }
@@ -45,14 +45,16 @@ void CardSheet::read(Field from, VectorField<float>& to) const {
   fields_.at(std::size_t(from))->read(to.x(), to.bytes());
 }
 
-ParticleState CardSheet::particle(int index) const {
+ParticleState CardSheet::particle(int index) {
   std::array<float, 6> numbers{};
-  auto number = numbers.begin();
+  one_.reserve(sizeof numbers);
+  std::size_t here = 0;
   for (const Field from : {Field::X, Field::V}) {
-    for (int axis = 0; axis < 3; ++axis) {
-      fields_.at(std::size_t(from))->read(&*number++, sizeof(float), byteOf(index, axis));
+    for (int axis = 0; axis < 3; ++axis, here += sizeof(float)) {
+      one_.copyFrom(field(from), byteOf(index, axis), here, sizeof(float));
     }
   }
+  one_.read(numbers.data(), sizeof numbers);  // all at once: whoever reads waits for the card
   return {{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
 }
 
@@ -134,6 +136,7 @@ void CardSheet::setScene(Kernel& kernel) const {
   kernel.set("bend", lawOf(static_cast<const BendSprings::Numbers<float>&>(numbers).law));
   kernel.set("weight", std::to_array(numbers.weight));
   kernel.set("drag", numbers.drag);
+  kernel.set("zero", 0.0F);
   kernel.set("pushCount", int(acting_.pushes.size()));
   kernel.set("pinBase", int(evaluation_ * movingPins_.size()));
 }
@@ -157,8 +160,9 @@ void CardSheet::beginLeapfrog(std::initializer_list<InPass> roles, float step, f
 void CardSheet::gather(const CardBuffer& xyz, const CardBuffer& extremes) {
   Kernel& kernel = card_.kernel("gather.glsl", "#define CUT 0\n");
   kernel.use();
-  xyz.show(kXyz), extremes.show(kExtremes), kinds_.show(kKinds);
-  run(kernel, {{PassRole::Position, Field::X}, {PassRole::Velocity, Field::V}}, 0, 0);
+  showState();
+  xyz.show(kXyz), extremes.show(kExtremes);
+  dispatch(kernel);
 }
 
 void CardSheet::run(Kernel& kernel, std::initializer_list<InPass> roles, float step, float kick) {

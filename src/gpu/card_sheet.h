@@ -70,7 +70,7 @@ class CardSheet {
 
   void write(Field field, const VectorField<float>& from);
   void read(Field field, VectorField<float>& to) const;
-  [[nodiscard]] ParticleState particle(int index) const;
+  [[nodiscard]] ParticleState particle(int index);
   void place(int index, const ParticleState& particle);
   /// Lets programs see the positions and velocities of the state, and which particles are pinned.
   void showState() const;
@@ -105,6 +105,7 @@ class CardSheet {
   Layout layout_;
   std::array<std::unique_ptr<CardBuffer>, kFields> fields_;
   CardBuffer kinds_, pushes_, pinForces_;
+  CardBuffer one_;  // particle, on its way back
   MomentsOnCard<float> moments_;
   Sheet sheet_;
   KernelTerms terms_;

@@ -1,4 +1,4 @@
-// The limit that explains a failure is the one in use at that time, so it is measured anew when the alarm goes.
+// The limit that explains a failure is the last one that was measured before it.
 #include "viewer/failure.h"
 
 #include <cmath>
@@ -42,11 +42,7 @@ void Failure::freeze(std::string message) {
 }
 
 void Failure::freezeOnAlarm(Simulation& simulation, const ShownState& shown) {
-  constexpr int kCalls = 20;  // until the limit of the present shape has settled
-  if (!runsOn_) {
-    for (int k = 0; k < kCalls; ++k) (void)simulation.liveStableStep();
-  }
-  updateMargin(simulation);
+  margin_.keep(simulation);
   if (!runsOn_ && (!lastGood_ || simulation.alarmTime() != alarmTime_)) {  // else it is the same one, reached again
     lastGood_.reset();
     alarmTime_ = simulation.alarmTime();

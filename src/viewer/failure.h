@@ -46,6 +46,8 @@ class Failure {
   /// A state without an alarm is shown at this tick: a failure that lies before it is overcome.
   void passed(std::int64_t tick);
 
+  /// On the way to an alarm, at every tick: what explains a failure is the limit just before it.
+  void measureMargin(Simulation& simulation) { margin_.measure(simulation); }
   /// Once a frame, of a simulation that is not frozen. One that runs on past its alarm keeps the margin that it had
   /// there: what it has become since explains nothing.
   void updateMargin(Simulation& simulation) { runsOn_ ? margin_.keep(simulation) : margin_.update(simulation, clock_); }

@@ -75,16 +75,21 @@ void MarginWatch::keep(const Simulation& simulation) {
 void MarginWatch::update(Simulation& simulation, const Clock& clock) {
   keep(simulation);
   const bool moves = simulation.status() == Status::Ok && simulation.ticks() != measuredAt_;
-  if (!margin_.adaptive && moves) measureLive(simulation, clock);
+  if (moves) measureLive(simulation, clock);
+}
+
+void MarginWatch::measure(Simulation& simulation) {
+  if (margin_.adaptive) return;
+  live_ = simulation.liveStableStep();
+  measuredAt_ = simulation.ticks();
   margin_.limit = std::fmin(margin_.rest, live_);
 }
 
 void MarginWatch::measureLive(Simulation& simulation, const Clock& clock) {
   const double began = clock();
   if (measuredAt_ >= 0 && began < nextMeasured_) return;
-  live_ = simulation.liveStableStep();
+  measure(simulation);
   nextMeasured_ = began + std::max((clock() - began) / kMostShare, simulation.onDevice() ? kOnDevice : 0);
-  measuredAt_ = simulation.ticks();
 }
 
 }  // namespace tyg

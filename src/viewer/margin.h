@@ -38,6 +38,8 @@ class MarginWatch {
   /// Once a frame. Past the alarm of a simulation the limit stays as it was. Finding the live limit takes no more than
   /// a twentieth of the time: the larger a sheet, the fewer frames measure it.
   void update(Simulation& simulation, const Clock& clock);
+  /// Finds the live limit now, however long that takes.
+  void measure(Simulation& simulation);
   /// The same without a measurement: the last one stays, as long as it is of this method and these live parameters.
   void keep(const Simulation& simulation);
   /// The same for what is chosen for the next run of a frozen cloth, cut as it was. With another method or other live

@@ -272,8 +272,8 @@ bool RunControl::failsAhead() {
 }
 
 /// Goes back to the first tick since the last energy check at which the run is found unstable, and takes over what was
-/// to be seen before: so a failure has the same time whatever frames there were. Where that would keep the window
-/// waiting, the present tick is the one.
+/// to be seen before: so a failure has the same time and the same limit whatever frames there were. Where that would
+/// keep the window waiting, the present tick is the one.
 void RunControl::goBackToAlarm() {
   constexpr int kMostParticles = 20000;
   const std::int64_t here = simulation_.ticks(), steps = simulation_.steps();
@@ -283,6 +283,7 @@ void RunControl::goBackToAlarm() {
   ticks_.begin();
   history_.tick(simulation_, history_.target() - simulation_.ticks());
   while (shown_.take(simulation_, false) && simulation_.ticks() < here) {
+    failure_.measureMargin(simulation_);
     ticks_.begin();
     history_.tick(simulation_, 1);
   }

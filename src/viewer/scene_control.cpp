@@ -153,9 +153,11 @@ void SceneControl::moveOnCard(bool on) {
     Settings settings = settings_;
     settings.device = card.device;
     Simulation fresh(scene, *method_, settings);
+    const bool running = run_.state() == RunState::Running;
     scene_ = std::move(scene), settings_ = std::move(settings);
     ++runsSoFar_;
     run_.startOver(std::move(fresh));
+    if (running) run_.startOrPause();
     if (!card.sentence.empty()) notes_.say(card.sentence);
   } catch (const std::exception& error) {
     notes_.warn(error.what());

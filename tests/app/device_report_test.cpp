@@ -8,7 +8,7 @@ namespace {
 
 TEST(SentenceOnADevice, SaysWhetherItsBitsAreTheProcessors) {
   EXPECT_EQ(sentenceOn({}), "");
-  DeviceReport report{.device = "gpu", .name = "a card"};
+  DeviceReport report{.device = "gpu", .name = "a card", .steps = 64};
   EXPECT_EQ(sentenceOn(report), "graphics card a card: the same bits as the processor (compared after 64 steps)");
   report.sameBits = false;
   EXPECT_EQ(sentenceOn(report),

@@ -5,6 +5,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 #include "core/forces/state.h"
 #include "gfx/contexts/compute_context.h"
@@ -139,7 +140,7 @@ TEST_F(DrawnFromCard, ThePersonTakesTheProcessorAndTheCardAgain) {
   viewer_->scenes().offerCard([this](const Scene&) { return OfferedCard{device_, "a card"}; });
   for (const bool onCard : {false, true}) {
     viewer_->scenes().moveOnCard(onCard);
-    viewer_->perform(InputAction::StartOrPause);
+    EXPECT_EQ(viewer_->run().state(), RunState::Running) << "it goes on running, from the start";
     for (int count = 0; count < 3; ++count) (void)frame();
     EXPECT_GT(simulation().ticks(), 0);
     EXPECT_EQ(shown().onDevice(), onCard);
@@ -147,7 +148,7 @@ TEST_F(DrawnFromCard, ThePersonTakesTheProcessorAndTheCardAgain) {
   }
 }
 
-TEST_F(DrawnFromCard, AFailureIsFoundAtTheTickWhereTheProcessorFindsIt) {
+TEST_F(DrawnFromCard, AFailureIsFoundAtTheTickWhereTheProcessorFindsItAndToldAlike) {
   const Scene scene = [] {
     Scene failing = loadScene("fail-stretched", methodNames());
     failing.precision = Precision::Float;
@@ -163,7 +164,8 @@ TEST_F(DrawnFromCard, AFailureIsFoundAtTheTickWhereTheProcessorFindsIt) {
       viewer.frame();
     }
     EXPECT_EQ(viewer.run().state(), RunState::Frozen);
-    return std::pair(viewer.run().simulation().alarmTime(), viewer.run().shown().tick());
+    return std::tuple(viewer.run().simulation().alarmTime(), viewer.run().shown().tick(),
+                      viewer.run().failure().message());
   };
   EXPECT_EQ(failAt(device_), failAt(nullptr));
 }

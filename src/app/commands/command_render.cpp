@@ -75,8 +75,11 @@ int renderChosen(const RenderOptions& options) {
   request.out = options.out.value_or(fileStem(scene.name) + (request.times.size() > 1 ? "" : ".png"));
   request.draw.background = options.light ? Background::Light : Background::Dark;
   request.threads = options.scene.threads.value_or(0);
-  openOffscreenFor(request, options.device.asksForCard());
-  request.device = chosenDevice(options.device, scene, request.threads, "tyg render", request.offscreen->find()).device;
+  if (options.device.asksForCard()) {
+    request.chooseDevice = [&](Offscreen::Find drawing) {
+      return chosenDevice(options.device, scene, request.threads, "tyg render", drawing).device;
+    };
+  }
   return render(scene, request);
 }
 

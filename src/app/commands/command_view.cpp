@@ -74,12 +74,15 @@ int renderWithoutWindow(const ViewOptions& options, const Scene& scene, const No
     std::cerr << "tyg view: without a window nothing is logged or recorded" << std::endl;
   const auto [width, height] = parsePair(options.size.value_or(kUsualSize));
   RenderRequest like;
-  like.size = {width + width % 2, height + height % 2};  // of a movie too
+  like.size = {width, height};
   like.draw.background = options.light ? Background::Light : Background::Dark;
   like.threads = options.scene.threads.value_or(0);
   like.show = chosenShow(options.look, scene);
-  openOffscreenFor(like, options.device.asksForCard());
-  like.device = chosenDevice(options.device, scene, like.threads, "tyg view", like.offscreen->find()).device;
+  if (options.device.asksForCard()) {
+    like.chooseDevice = [&](Offscreen::Find drawing) {
+      return chosenDevice(options.device, scene, like.threads, "tyg view", drawing).device;
+    };
+  }
   return renderInstead(scene, like);
 }
 

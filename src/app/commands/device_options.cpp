@@ -59,7 +59,8 @@ std::shared_ptr<GpuDevice> openCard(GlFinder drawing) {
 
 ChosenDevice compared(const std::shared_ptr<GpuDevice>& card, const Scene& scene, int threads) {
   const BitsCompared bits = compareBits(scene, findMethod(scene.integrator), card, threads);
-  return {card, {.device = "gpu", .name = card->name(), .sameBits = bits.same, .strays = bits.strays}};
+  return {card,
+          {.device = "gpu", .name = card->name(), .steps = bits.steps, .sameBits = bits.same, .strays = bits.strays}};
 }
 
 }  // namespace

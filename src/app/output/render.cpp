@@ -48,8 +48,6 @@ Form formOf(const fs::path& out) {
   return ending == ".png" ? Form::Picture : ending == ".mp4" || ending == ".gif" ? Form::Movie : Form::Folder;
 }
 
-Settings settingsOf(const RenderRequest& request) { return {.threads = request.threads, .device = request.device}; }
-
 /// Gathers what a still view has to hold.
 class Framing {
  public:
@@ -88,10 +86,35 @@ class Framing {
   std::vector<glm::vec3> points_;
 };
 
+/// Machines that cannot draw are told so as for every output that cannot be made.
+template <class Open>
+auto opened(const Open& open) {
+  try {
+    return open();
+  } catch (const std::runtime_error& error) {
+    throw InputError(error.what());
+  }
+}
+
+/// What draws the pictures, on a graphics card where one may move the cloth, and what moves it.
+struct Equipment {
+  explicit Equipment(const RenderRequest& request)
+      : offscreen(opened([&] {
+          const glm::ivec2 size = request.size;
+          return request.chooseDevice ? makeOffscreenOnCard(size.x, size.y) : makeOffscreen(size.x, size.y);
+        })),
+        settings{.threads = request.threads,
+                 .device = request.chooseDevice ? request.chooseDevice(offscreen->find()) : nullptr} {}
+
+  std::unique_ptr<Offscreen> offscreen;  // before the device, which may live in this context
+  Settings settings;
+};
+
 /// Draws one sheet off-screen.
 class Studio {
  public:
-  Studio(const Sheet& sheet, bool hasSolids, const RenderRequest& request) : request_(request), renderer_(sheet) {
+  Studio(const Sheet& sheet, bool hasSolids, const RenderRequest& request, const Offscreen& offscreen)
+      : request_(request), offscreen_(offscreen), renderer_(sheet) {
     if (hasSolids && request.size.x <= kLargestSmooth && request.size.y <= kLargestSmooth) {
       smooth_ = std::make_unique<PictureTexture>(request.size.x, request.size.y);
     }
@@ -108,7 +131,7 @@ class Studio {
       renderer_.follow(motion.simulation().sheet());
       renderer_.draw(motion.drawn(), camera, request_.size, options, pushNow(motion.simulation()));
     };
-    const auto read = [&] { request_.offscreen->readPixels(picture_); };
+    const auto read = [&] { offscreen_.readPixels(picture_); };
     smooth_ ? smooth_->draw(draw) : draw();
     smooth_ ? smooth_->read(read) : read();
     return picture_;
@@ -134,25 +157,17 @@ class Studio {
   }
 
   const RenderRequest& request_;
+  const Offscreen& offscreen_;
   std::unique_ptr<PictureTexture> smooth_;  // lines are smooth by themselves, outlines of bodies and surfaces are not
   SheetRenderer renderer_;
   Picture picture_;
 };
 
-/// Machines that cannot draw are told so as for every output that cannot be made.
-template <class Open>
-auto opened(const Open& open) {
-  try {
-    return open();
-  } catch (const std::runtime_error& error) {
-    throw InputError(error.what());
-  }
-}
-
-Studio openStudio(const Simulation& simulation, const RenderRequest& request) {
+Studio openStudio(const Simulation& simulation, const RenderRequest& request, const Equipment& equipment) {
   const Scene& scene = simulation.scene();
   const bool hasSurface = request.show.value_or(scene.look.show) != Show::Lines;
-  return opened([&] { return Studio(simulation.sheet(), hasSurface || !scene.bodies.empty(), request); });
+  return opened(
+      [&] { return Studio(simulation.sheet(), hasSurface || !scene.bodies.empty(), request, *equipment.offscreen); });
 }
 
 std::string frameName(std::size_t frame) { return fmt::format("frame_{:05}.png", frame); }
@@ -181,12 +196,12 @@ void removeFramesFrom(const RenderRequest& request, std::size_t frame) {
   while (fs::remove(request.out / frameName(frame), none)) ++frame;
 }
 
-int renderPicture(const Scene& scene, const RenderRequest& request) {
+int renderPicture(const Scene& scene, const RenderRequest& request, const Equipment& equipment) {
   const double time = request.times.front();
   Progress progress("tyg render " + scene.name);
-  MovingScene motion(scene, settingsOf(request),
+  MovingScene motion(scene, equipment.settings,
                      [&](double now) { return progress.show(now / std::max(time, scene.dt)); });
-  Studio studio = openStudio(motion.simulation(), request);
+  Studio studio = openStudio(motion.simulation(), request, equipment);
   if (!motion.reach(time)) return sayStopped(kCommand, motion.simulation(), progress);
   Framing framing;
   framing.include(motion);
@@ -195,12 +210,12 @@ int renderPicture(const Scene& scene, const RenderRequest& request) {
   return kDone;
 }
 
-int renderSequence(const Scene& scene, const RenderRequest& request) {
+int renderSequence(const Scene& scene, const RenderRequest& request, const Equipment& equipment) {
   const double end = request.times.back();
   Progress progress("tyg render " + scene.name);
   constexpr double kFirstShare = 0.2;  // of the time that both passes take: drawing is the slower part
-  MovingScene scout(scene, settingsOf(request), [&](double now) { return progress.show(kFirstShare * now / end); });
-  Studio studio = openStudio(scout.simulation(), request);
+  MovingScene scout(scene, equipment.settings, [&](double now) { return progress.show(kFirstShare * now / end); });
+  Studio studio = openStudio(scout.simulation(), request, equipment);
   Framing framing;
   for (const double time : request.times) {
     if (!scout.reach(time)) return sayStopped(kCommand, scout.simulation(), progress);
@@ -212,7 +227,7 @@ int renderSequence(const Scene& scene, const RenderRequest& request) {
   std::optional<Movie> movie;
   if (isMovie) movie.emplace(request.out, MovieForm{request.size.x, request.size.y, request.fps}, interrupted);
   if (!isMovie) preparedFolder(request.out, std::array{frameName(0)});
-  MovingScene motion(scene, settingsOf(request), [](double) { return !interrupted(); });
+  MovingScene motion(scene, equipment.settings, [](double) { return !interrupted(); });
   for (std::size_t frame = 0; frame < request.times.size(); ++frame) {
     if (!motion.reach(request.times[frame])) return sayStopped(kCommand, motion.simulation(), progress);
     const Picture& picture = studio.draw(motion, camera);
@@ -226,20 +241,17 @@ int renderSequence(const Scene& scene, const RenderRequest& request) {
 
 }  // namespace
 
-void openOffscreenFor(RenderRequest& request, bool onCard) {
-  glm::ivec2& size = request.size;
-  if (formOf(request.out) == Form::Movie) size += size % 2;
-  request.offscreen =
-      opened([&] { return onCard ? makeOffscreenOnCard(size.x, size.y) : makeOffscreen(size.x, size.y); });
-}
-
 int render(const Scene& scene, const RenderRequest& request) {
-  checkOutput(request);
+  RenderRequest asked = request;
+  if (formOf(asked.out) == Form::Movie) asked.size += asked.size % 2;
+  checkOutput(asked);
   const InterruptWatch watch;
-  const int code = request.times.size() == 1 ? renderPicture(scene, request) : renderSequence(scene, request);
+  const Equipment equipment(asked);
+  const int code =
+      asked.times.size() == 1 ? renderPicture(scene, asked, equipment) : renderSequence(scene, asked, equipment);
   if (code == kDone) {
-    std::cout << request.out.string();
-    if (formOf(request.out) == Form::Folder) std::cout << ": " << request.times.size() << " pictures";
+    std::cout << asked.out.string();
+    if (formOf(asked.out) == Form::Folder) std::cout << ": " << asked.times.size() << " pictures";
     std::cout << std::endl;
   }
   return code;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -17,21 +18,18 @@ namespace tyg {
 struct RenderRequest {
   std::vector<double> times;   ///< s, >= 0, ascending, at least one
   double fps = 30;             ///< of a movie, > 0
-  glm::ivec2 size{1280, 720};  ///< pixels, even numbers where it is a movie
+  glm::ivec2 size{1280, 720};  ///< pixels; a movie's are rounded up to even numbers
   std::filesystem::path out;   ///< one time: FILE.png; several: FILE.mp4, FILE.gif, else a folder for PNGs
   DrawOptions draw;
-  std::optional<Show> show;                ///< of the cloth; nothing: as the scene has it
-  int threads = 0;                         ///< as Settings::threads
-  std::shared_ptr<Offscreen> offscreen{};  ///< draws, and has that size
-  std::shared_ptr<Device> device{};        ///< as Settings::device; it may compute in that context, and goes before it
+  std::optional<Show> show;  ///< of the cloth; nothing: as the scene has it
+  int threads = 0;           ///< as Settings::threads
+  /// Gives what moves the cloth, as Settings::device, which may compute in the context that draws: its functions are
+  /// found there. Nothing: the processor moves it.
+  std::function<std::shared_ptr<Device>(Offscreen::Find)> chooseDevice{};
 };
 
-/// Opens what draws the pictures, on a graphics card where one draws and that is asked for. Rounds the size of a movie
-/// up to even numbers. Throws InputError where nothing can draw.
-void openOffscreenFor(RenderRequest& request, bool onCard);
-
 /// Checks the output, simulates, draws, writes, and names the files on standard output. One view that holds the whole
-/// motion. Returns the program's exit code; throws InputError where the output cannot be written.
+/// motion. Returns the program's exit code; throws InputError where the output cannot be written or nothing can draw.
 int render(const Scene& scene, const RenderRequest& request);
 
 /// What `tyg view` does without a display: a picture, and a movie where ffmpeg is there and the run is long enough for

@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include "gpu/same_bits.h"
 #include "util/visible_text.h"
 
 namespace tyg {
@@ -11,16 +10,14 @@ namespace tyg {
 std::string sentenceOn(const DeviceReport& report) {
   if (report.device == "cpu") return "";
   const std::string card = "graphics card " + oneLine(report.name);
-  if (report.sameBits) {
-    return fmt::format("{}: the same bits as the processor (compared after {} steps)", card, kStepsCompared);
-  }
+  const std::string after = fmt::format("after {} step{}", report.steps, report.steps == 1 ? "" : "s");
+  if (report.sameBits) return fmt::format("{}: the same bits as the processor (compared {})", card, after);
   if (report.strays == 0) {
-    return fmt::format(
-        "{}: the same bits as the processor for the cloth, but not for its energies (compared after {} steps)", card,
-        kStepsCompared);
+    return fmt::format("{}: the same bits as the processor for the cloth, but not for its energies (compared {})", card,
+                       after);
   }
-  return fmt::format("{}: not the same bits as the processor; after {} steps a particle is {:.3g} m off", card,
-                     kStepsCompared, report.strays);
+  return fmt::format("{}: not the same bits as the processor; {} a particle is {:.3g} m off", card, after,
+                     report.strays);
 }
 
 }  // namespace tyg

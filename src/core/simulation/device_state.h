@@ -14,7 +14,7 @@ struct ParticleState {
   Vec3 position, velocity;  ///< m, m/s
 };
 
-/// All answers are those that the state itself would give, to the last bit.
+/// All answers are those that the state itself would give, to the last bit, as long as no number leaves its range.
 template <class T>
 class DeviceState {
  public:

@@ -1,6 +1,6 @@
 // The force on one particle. It is gathered from the springs and cells around it, so that no particle waits for another,
 // and summed in the order in which the processor's accumulateRow() sums what its rows scatter: that gives the same bits.
-// An addition of zero, which the processor has where a spring is not there, changes nothing and is left out.
+// An addition of zero, which the processor has where a spring is not there, changes no finite number and is left out.
 
 uniform vec3 structural, shear, bend;  // ks, N/m; ks times the length at rest, N; kd, N s/m
 

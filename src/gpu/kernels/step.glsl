@@ -13,6 +13,7 @@ layout(std430, binding = 10) writeonly buffer PinForces { float pinForces[]; };
 uniform int pushCount, pinBase;
 uniform vec3 weight;  // N
 uniform float drag;   // N s/m
+uniform float zero;   // 0, which no driver knows to be 0
 
 // The pushes on the particle at `a`, one after the other.
 vec3 withPushes(vec3 given, int a) {
@@ -102,14 +103,13 @@ void main() {
   uint kind = kinds[a];
   bool isFree = (kind & pinBit) == 0u;
   int moving = int(kind >> movingShift);
-  precise vec3 f = vec3(0);
-  if (isFree || moving > 0) f = forceOn(a, ivec2(c, r), isFree);
-  if (!isFree) {
-    if (moving > 0) {
-      int at = 3 * (pinBase + moving - 1);
-      pinForces[at] = f.x, pinForces[at + 1] = f.y, pinForces[at + 2] = f.z;
-    }
+  precise vec3 f = forceOn(a, ivec2(c, r), isFree);
+  if (moving > 0) {
+    int at = 3 * (pinBase + moving - 1);
+    pinForces[at] = f.x, pinForces[at + 1] = f.y, pinForces[at + 2] = f.z;
     f = vec3(0);
+  } else if (!isFree) {
+    f = zero * f;  // as the processor does: where the force is infinite, the pin is lost too
   }
   update(a, f);
 }
