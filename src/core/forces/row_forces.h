@@ -157,7 +157,7 @@ TYG_INLINE const typename Term::template Numbers<T>& numbersOf(const RowTask<T>&
 /// Arithmetic for terms that see whole registers.
 template <class T>
 struct LaneMath {
-  TYG_INLINE static Lanes<T> all(T number) { return Lanes<T>{} + number; }
+  TYG_INLINE static Lanes<T> all(T number) { return number - Lanes<T>{}; }  // no arithmetic: plus 0 would change -0
   TYG_INLINE static Vec<T> all3(const T (&numbers)[3]) { return {all(numbers[0]), all(numbers[1]), all(numbers[2])}; }
   TYG_INLINE static Lanes<T> root(const Lanes<T>& a) { return squareRoots<T>(a); }
   TYG_INLINE static Lanes<T> size(const Lanes<T>& a) { return a < 0 ? -a : a; }
@@ -179,17 +179,17 @@ struct LaneMath {
 };
 
 template <class T>
-TYG_INLINE Corners<Vec<T>> corners(const T* planes, const RowTask<T>& task, std::ptrdiff_t a) {
-  const std::ptrdiff_t below = a + task.stride;
+TYG_INLINE Corners<Vec<T>> corners(const T* planes, const RowTask<T>& task, std::ptrdiff_t a, std::ptrdiff_t below) {
   return {load(planes, task.plane, a), load(planes, task.plane, a + 1), load(planes, task.plane, below),
           load(planes, task.plane, below + 1)};
 }
 
-/// Force of all cell terms on each corner of the cells below right of the particles at `a`.
+/// Force of all cell terms on each corner of the cells below right of the particles at `a`. `below`, the particles
+/// under them, is told as for springs, so that the compiler finds the same places there.
 template <class CellTerms, class T, class Exists>
-TYG_INLINE Vec<T> cellForce(const RowTask<T>& task, const Exists& exists, std::ptrdiff_t a) {
+TYG_INLINE Vec<T> cellForce(const RowTask<T>& task, const Exists& exists, std::ptrdiff_t a, std::ptrdiff_t below) {
   Vec<T> sum{};
-  const Corners<Vec<T>> x = corners(task.position, task, a), v = corners(task.velocity, task, a);
+  const Corners<Vec<T>> x = corners(task.position, task, a, below), v = corners(task.velocity, task, a, below);
   CellTerms::forEach([&]<class Term>() { sum = sum + Term::cornerForce(LaneMath<T>{}, x, v, numbersOf<Term>(task)); });
   return exists * sum;
 }
@@ -218,13 +218,14 @@ void accumulateRow(const RowTask<T>& given, int row, bool finish) {
     const std::ptrdiff_t end = begin + kBlock < task.width ? begin + kBlock : task.width;
     for (std::ptrdiff_t i = begin; i < end; i += kLanes<T>) {
       const std::ptrdiff_t a = row * s + i;
-      // First, where the fewest registers are in use.
       [[maybe_unused]] Vec<T> corner{};
-      if constexpr (kCells) corner = cellForce<CellTerms>(task, kept(6, i, hasDown * load(task.hasRight + i)), a);
       Vec<T> across{}, down{}, downRight{}, downLeft{}, across2{}, down2{};
       if constexpr ((families & kStructural) != 0) {
         across = springForce<damping>(task, structural, kept(0, i, load(task.hasRight + i)), a, a + 1);
         down = springForce<damping>(task, structural, kept(1, i, hasDown), a, a + s);
+      }
+      if constexpr (kCells) {  // here, where few registers are in use; the diagonals serve the shear springs too
+        corner = cellForce<CellTerms>(task, kept(6, i, hasDown * load(task.hasRight + i)), a, a + s);
       }
       if constexpr ((families & kShear) != 0) {
         const Lanes<T> exists = hasDown * load(task.hasRight + i);

@@ -62,7 +62,7 @@ struct AirTerm {
                                                       const Corners<Vector>& v, const Numbers<T>& numbers) {
     const auto quarter = math.all(T(0.25));
     Vector wind = math.all3(numbers.steady);
-    if (numbers.firstGusts != numbers.endGusts) {
+    if (numbers.firstGusts != numbers.endGusts) [[unlikely]] {  // out of the way of steady winds
       const Vector centre = quarter * ((x.here + x.right) + (x.below + x.belowRight));
       for (const Gusts<T>* gusts = numbers.firstGusts; gusts != numbers.endGusts; ++gusts) {
         wind = wind + gustOf(math, *gusts, centre);
