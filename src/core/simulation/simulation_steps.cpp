@@ -104,7 +104,7 @@ void Simulation::Impl::finishSteps(double h, int count, double timeAfter) {
   const bool keepsTheBalance = !stepsFreely() && takesWhatDampingTakes(*run.method);
   const Power power = stepsFreely() ? powerToSupply() : backend->power(timeAfter);
   checkSupply(power);
-  if (!stepsFreely()) run.energies.follow(power.lost, timeAfter);
+  if (!stepsFreely()) run.energies.follow(power.lost, timeAfter, keepsTheBalance);
   run.energies.lose(keepsTheBalance ? power.lost : 0, timeAfter);
   run.largestSpeed = std::max(run.largestSpeed, approach());
   run.energies.check(sample(power));
