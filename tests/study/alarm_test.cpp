@@ -1,6 +1,8 @@
 // The alarm at both sides of each method's limit: quiet below it, raised above it, in cloth that moves.
 #include <gtest/gtest.h>
 
+#include "core/simulation/alarm.h"
+#include "random_cloth.h"
 #include "study/limits/stability.h"
 #include "test_systems.h"
 #include "tyg/methods.h"
@@ -154,6 +156,24 @@ TEST(Alarm, IsRaisedByAJitterInTheWindWhichItsDampingHolds) {
   Simulation above(scene, method);
   above.advanceTo(kSeconds);
   EXPECT_NE(above.status(), Status::Ok);
+}
+
+/// A jitter of a cloth that has fallen onto bodies: its energy is small beside that of the fall.
+TEST(Alarm, IsRaisedByAJitterInContactWhichItsDampingHolds) {
+  constexpr unsigned kSeed = 20;  // of a cloth whose jitter neither sum alone tells from a sound run
+  const Method& method = findMethod("bs32");
+  const double rest = restLatticeLimit(test::randomTouchingCloth(kSeed, 1), method);
+  Scene scene = test::randomTouchingCloth(kSeed, 2000 * rest);
+  scene.tolerance = 0;  // steps of dt
+  for (const double share : {0.95, 1.05}) {
+    scene.dt = share * rest;
+    Simulation simulation(scene, method);
+    simulation.advanceTo(scene.duration);
+    EXPECT_EQ(simulation.status(), share < 1 ? Status::Ok : Status::Unstable) << share;
+    const Ledger ledger = simulation.ledger();
+    EXPECT_LT(ledger.storedRise, tyg::Alarm::kThresholdOfHighOrder) << share;
+    EXPECT_LT(ledger.balanceRise, tyg::Alarm::kThreshold) << share;
+  }
 }
 
 TEST(Alarm, IsTheSameWhetherOrNotTheLedgerIsFollowed) {

@@ -24,6 +24,13 @@ double hundredthStretch(const Scene& scene, const Sheet& sheet) {
 void Alarm::useOrder(int order) {
   order_ = order;
   stored_.lowest = std::numeric_limits<double>::infinity();
+  storedBefore_ = kUnknown;
+}
+
+void Alarm::follow(double power, double time, bool isTaken) {
+  isSampled_ = samples_ > 0;
+  lostSince_ = (time - lastTime_) * (isSampled_ ? sampled_ / samples_ : (power + powerBefore_) / 2);
+  powerBefore_ = power, isTaken_ = isTaken;
 }
 
 void Alarm::lose(double power, double time) {
@@ -50,6 +57,15 @@ double Alarm::Sum::riseTo(double value, double large) {
   return rise;
 }
 
+/// What is not known does not rise. The first rise is an estimate, after which the power of every step is asked for.
+bool Alarm::risesSteadily(double stored, double large) {
+  const double least = (isTaken_ ? kSteadyRise : kSteadyRiseOfLess) * large;
+  seesRise_ = order_ >= 2 && stored + lostSince_ - storedBefore_ > least;
+  steadyRises_ = seesRise_ && isSampled_ ? steadyRises_ + 1 : 0;
+  storedBefore_ = stored, lostSince_ = kUnknown;
+  return steadyRises_ >= kSteadyRises;
+}
+
 Status Alarm::check(const StoredEnergy& energy, double work, double flowing) {
   const double stored = energy.sum() - work;
   if (!std::isfinite(stored + lost_)) return Status::NotFinite;
@@ -58,6 +74,7 @@ Status Alarm::check(const StoredEnergy& energy, double work, double flowing) {
   largest_ = std::max({largest_, energy.sizeSinceStart(), std::abs(work - flowing), flowedLately_});
   const double large = scale() + firstSteps_;
   bool rises = stored_.riseTo(stored, large) > (order_ >= 3 ? kThresholdOfHighOrder : kThreshold);
+  if (lossIsPresent_ && risesSteadily(stored, large)) rises = true;
   if (lossIsPresent_ && balance_.riseTo(stored + lost_, large) > kThreshold) {
     rises = rises || isSure_;
     suspects_ = !isSure_;

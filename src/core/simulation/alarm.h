@@ -25,6 +25,13 @@ class Alarm {
   static constexpr double kMemory = 16;
   /// Of the estimated power: the mean power until the next check that confirms the estimate.
   static constexpr double kConfirmed = 0.5;
+  /// A method of order 2 or higher is unstable as well where the sum of the stored and the lost energy rises by this
+  /// fraction of the scale from one regular check to the next, so many times in a row, while the power of every step is
+  /// known. A blow does not last as long, and below its limit the energy of such a method does not go on rising.
+  static constexpr double kSteadyRise = 1.0 / 256;
+  /// The same for a method that stays stable however large the damping is: it takes less energy than damping would.
+  static constexpr double kSteadyRiseOfLess = 1.0 / 64;
+  static constexpr int kSteadyRises = 8;
 
   /// `floor` (J): what counts as a large energy in a run where nothing larger happens (a hundredth of stretch);
   /// `startEnergy` = K + E at the start; `order` of the method. `touches`: there are bodies, and blows of the cloth on
@@ -44,8 +51,11 @@ class Alarm {
   /// have brought is not taken off: it is lost all the time, and without it the sum would fall for ever while a cloth
   /// jitters in the wind.
   void lose(double power, double time);
+  /// The same power for the steady rises, before lose(), but not for steps of a method's own choice. `isTaken`: whether
+  /// the method takes as much, about.
+  void follow(double power, double time, bool isTaken);
   /// Whether sample() is to be called with the power (W) after every step until the next regular check, its own too.
-  [[nodiscard]] bool suspects() const { return suspects_; }
+  [[nodiscard]] bool suspects() const { return suspects_ || seesRise_; }
   void sample(double power) { sampled_ += power, ++samples_; }
   /// To be called for steps of h seconds. `forcing` (J/s2): the sum over the particles of |F|^2 / m, F what steady
   /// forces and pushes do to a particle. A first-order method that begins to fall is ahead of the truth by n/2 of
@@ -72,12 +82,19 @@ class Alarm {
     double lowest = std::numeric_limits<double>::infinity(), largestRise = 0;
     double riseTo(double value, double large);
   };
+  [[nodiscard]] bool risesSteadily(double stored, double large);
+
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
   double floor_ = 0, largest_ = 0, firstSteps_ = 0;
   double flowedLately_ = 0, flowedBefore_ = 0;
   double lost_ = 0, lastPower_ = 0, lastTime_ = 0;
   double estimated_ = 0, sampled_ = 0;  // W, between the last two checks, and the sum of the samples since
   int samples_ = 0;
+  double lostSince_ = kUnknown, storedBefore_ = kUnknown;  // J, since the regular check before, and at it
+  double powerBefore_ = 0;                                 // W, at that check
+  int steadyRises_ = 0;                                    // in a row, up to the last regular check
+  bool isSampled_ = false, isTaken_ = true, seesRise_ = false;
   int order_ = 1;
   Sum stored_, balance_;
   bool touches_ = false, checked_ = false, lossIsPresent_ = true, suspects_ = false, isSure_ = false;
