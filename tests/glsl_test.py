@@ -32,29 +32,24 @@ def shader_programs():
 
 
 def kernel_programs():
-    # The types are those of src/gpu/kernel.cpp.
-    types = re.findall(r'"(#define [^"]*)"', (source / "src/gpu/kernel.cpp").read_text())
-    half = len(types) // 2
-    in_double, in_float = ("".join(lines).replace("\\n", "\n") for lines in (types[:half], types[half:]))
-    assert "dvec3" in in_double and "real float" in in_float, types
+    def program(file, **defines):
+        text = (kernels / file).read_text()
+        while found := re.search(r'#include "(.*)"', text):
+            text = text.replace(found[0], (kernels / found[1]).read_text())
+        lines = "".join(f"#define {name} {value}\n" for name, value in defines.items())
+        return " ".join([file, *map(str, defines.values())]), "#version 430 core\n" + lines + text, "comp"
 
-    def program(defines, *names):
-        return "#version 430 core\n" + defines + "".join((kernels / name).read_text() for name in names)
-
-    step = ["fields.glsl", "exact.glsl", "springs.glsl", "air.glsl", "contact.glsl", "force.glsl", "step.glsl"]
+    mains = sorted(path.name for path in kernels.glob("*.glsl") if "void main()" in path.read_text())
+    assert len(mains) == 5, mains
     # With all terms and with none; every update with every damping law.
-    for terms, update, damping in product([0, 1], range(7), range(3)):
-        defines = in_float + f"#define UPDATE {update}\n#define DAMPING {damping}\n"
-        defines += "".join(f"#define {name} {terms}\n" for name in "STRUCTURAL SHEAR BEND AIR CONTACT CUT".split())
-        yield f"step.glsl, terms {terms}, update {update}, damping {damping}", program(defines, *step), "comp"
-    measure = ["fields.glsl", "exact_double.glsl", "air.glsl", "contact.glsl", "measure.glsl"]
-    for terms, energy, axial in product([0, 1], [0, 1], [0, 1]):
-        defines = in_double + f"#define ENERGY {energy}\n#define AXIAL {axial}\n"
-        defines += "".join(f"#define {name} {terms}\n" for name in "AIR CONTACT CUT".split())
-        yield f"measure.glsl, terms {terms}, energy {energy}, axial {axial}", program(defines, *measure), "comp"
-    alone = {path.name for path in kernels.glob("*.glsl")} - {*step, *measure}
-    for name in sorted(alone):
-        yield name, program(in_float + "#define CUT 1\n", "fields.glsl", name), "comp"
+    for terms in [0, 1]:
+        all_terms = {name: terms for name in "STRUCTURAL SHEAR BEND AIR CONTACT CUT".split()}
+        for update, damping in product(range(7), range(3)):
+            yield program("step.glsl", UPDATE=update, DAMPING=damping, **all_terms)
+        for energy, axial in product([0, 1], [0, 1]):
+            yield program("measure.glsl", ENERGY=energy, AXIAL=axial, **all_terms)
+    for name in set(mains) - {"step.glsl", "measure.glsl"}:
+        yield program(name, CUT=1)
 
 
 assert complaint("#version 430 core\nvoid main() { int whole = 1.5; }\n", "vert"), "it takes what is wrong"

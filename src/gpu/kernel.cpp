@@ -1,8 +1,7 @@
-// The text of a program is put together from the files that it needs, in the order in which they need each other.
+// GLSL knows no #include: the files that a program names take the place of their lines.
 #include "gpu/kernel.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <stdexcept>
 #include <string_view>
 
@@ -31,19 +30,13 @@ std::string textOf(std::string_view file) {
 }
 
 std::string programOf(std::string_view file, const std::string& defines) {
-  const bool inDouble = file == "measure.glsl";
-  std::string text = "#version 430 core\n" + defines;
-  text += inDouble ? "#define real double\n#define real2 dvec2\n#define real3 dvec3\n"
-                     "#define TINY 1e-300lf\n#define WHOLE 6755399441055744.0lf\n"
-                   : "#define real float\n#define real2 vec2\n#define real3 vec3\n"
-                     "#define TINY 1e-30\n#define WHOLE 12582912.0\n";
-  const auto add = [&](std::initializer_list<const char*> parts) {
-    for (const char* part : parts) text += textOf(part);
-  };
-  add({"fields.glsl"});
-  if (file == "step.glsl") add({"exact.glsl", "springs.glsl", "air.glsl", "contact.glsl", "force.glsl"});
-  if (inDouble) add({"exact_double.glsl", "air.glsl", "contact.glsl"});
-  return text + textOf(file);
+  constexpr std::string_view kInclude = "#include \"";
+  std::string text = textOf(file);
+  for (std::size_t line = text.find(kInclude); line != std::string::npos; line = text.find(kInclude, line)) {
+    const std::size_t name = line + kInclude.size(), end = text.find('"', name);
+    text.replace(line, end + 1 - line, textOf(text.substr(name, end - name)));
+  }
+  return "#version 430 core\n" + defines + text;
 }
 
 Kernel::Kernel(const Gl& gl, const std::string& name, const std::string& text) : gl_(gl) {

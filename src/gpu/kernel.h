@@ -13,7 +13,8 @@ namespace tyg {
 
 /// The text of one file of kernels/.
 std::string textOf(std::string_view file);
-/// The whole text of the program whose main() is in this file. `defines`: lines of GLSL that stand before all else.
+/// The whole text of the program whose main() is in this file, with the files that it includes. `defines`: lines of
+/// GLSL that stand before all else.
 std::string programOf(std::string_view file, const std::string& defines);
 
 /// Made, used and destroyed in the thread of its context.

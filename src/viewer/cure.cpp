@@ -43,7 +43,7 @@ std::string cause(const Simulation& simulation, double limit) {
            (byContact ? fmt::format(", set by contact with {}, not the springs", bodiesInWords(simulation.scene()))
                       : "");
   }
-  return fmt::format(": it kept its limit of {:.3g} ms at rest, but this cloth is far from rest", 1e3 * limit);
+  return fmt::format(": it kept its limit of {:.3g} ms, but this cloth is far from rest", 1e3 * limit);
 }
 
 std::string waysOut(const Simulation& simulation, const Cure& cure) {

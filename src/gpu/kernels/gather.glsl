@@ -1,6 +1,9 @@
 // Where all particles are, for whoever draws them: x, y, z of one after the other, and the least and the largest of each.
 // These are compared as whole numbers in the same order, because OpenGL has no atomic operation on others.
 
+#include "in_float.glsl"
+#include "fields.glsl"
+
 layout(std430, binding = 3) writeonly buffer Gathered { float xyz[]; };
 layout(std430, binding = 4) buffer Extremes { uint extremes[6]; };
 

@@ -1,6 +1,9 @@
 // The square of the largest speed, and that of the length of the longest structural spring that is there. Numbers that are
 // not negative are compared as whole numbers in the same order, because OpenGL has no atomic operation on others.
 
+#include "in_float.glsl"
+#include "fields.glsl"
+
 layout(std430, binding = 3) buffer Largest { uint largest[2]; };
 
 shared uint largestOfGroup[2];

@@ -1,6 +1,9 @@
 // Leapfrog, the begin of a step, from the force that the last one kept: v += kick F; x += h v; and the velocity that
 // damping sees. No force is evaluated, and each particle changes its own numbers alone.
 
+#include "in_float.glsl"
+#include "fields.glsl"
+
 layout(std430, binding = 4) writeonly buffer NextVelocity { float nextVelocity[]; };
 layout(std430, binding = 5) buffer OwnPosition { float ownPosition[]; };
 layout(std430, binding = 6) buffer OwnVelocity { float ownVelocity[]; };

@@ -2,6 +2,12 @@
 // operations, in eight running sums, particle by particle, which are added in pairs at the end. A work group has sixteen
 // rows, and a thread one running sum of one of them.
 
+#include "in_double.glsl"
+#include "fields.glsl"
+#include "exact_double.glsl"
+#include "air.glsl"
+#include "contact.glsl"
+
 layout(std430, binding = 3) writeonly buffer Rows { double ofRows[]; };
 
 uniform int firstRow;  // where these sums begin, in rows

@@ -1,6 +1,14 @@
 // One pass over the sheet: the force on each particle, and what UPDATE makes of it. A pass reads where all particles are
 // and writes somewhere else where they are next; only numbers that no neighbour reads are changed in place.
 
+#include "in_float.glsl"
+#include "fields.glsl"
+#include "exact.glsl"
+#include "springs.glsl"
+#include "air.glsl"
+#include "contact.glsl"
+#include "force.glsl"
+
 layout(std430, binding = 3) writeonly buffer NextPosition { float nextPosition[]; };
 layout(std430, binding = 4) writeonly buffer NextVelocity { float nextVelocity[]; };
 layout(std430, binding = 5) buffer OwnPosition { float ownPosition[]; };  // read and written by their particle alone
