@@ -124,14 +124,16 @@ struct ContactTerm {
     touch.damping = against.damping, touch.friction = against.friction;
     return touch;
   }
-  /// The force of a level plane, whose normal points straight up or down: what touchOf() says, with nothing to project.
-  template <bool rubs, class Vector, class Math, class Number, class T>
+  /// The force of a level plane, whose normal points straight up or down: what touchOf() says, with nothing to project,
+  /// and nothing to subtract from the velocity where the plane does not move.
+  template <bool rubs, bool moves, class Vector, class Math, class Number, class T>
   [[gnu::always_inline]] static Vector forceOfFloor(const Math& math, const Solid<T>& solid, const Vector& place,
                                                     const Vector& velocity, const Number& isFree,
                                                     const Numbers<T>& numbers) {
     const Number up = math.all(solid.axis[1]);
     const Number s = isFree * stepOf(math, math.all(numbers.perLayer) * (math.all(solid.radius) - up * place.y));
-    const Vector relative = velocity - math.all3(solid.velocity);
+    Vector relative = velocity;
+    if constexpr (moves) relative = velocity - math.all3(solid.velocity);
     const Number push = math.all(numbers.force) * s;
     const auto against = againstOf<rubs>(
         math, s, push, [&] { return relative.x * relative.x + relative.z * relative.z; }, numbers);
@@ -155,9 +157,13 @@ struct ContactTerm {
       const Numbers<T> known = numbers;  // on the stack, where no store can alias them
       const Solid<T> solid = reached;
       if (shape == Shape::Plane && solid.axis[0] == 0 && solid.axis[2] == 0) {
-        return block.add([&]<class Vector>(const Vector& place, const Vector& velocity, const auto& isFree) {
-          return forceOfFloor<rubs, Vector>(math, solid, place, velocity, isFree, known);
-        });
+        const auto addFloor = [&]<bool moves>() {
+          block.add([&]<class Vector>(const Vector& place, const Vector& velocity, const auto& isFree) {
+            return forceOfFloor<rubs, moves, Vector>(math, solid, place, velocity, isFree, known);
+          });
+        };
+        const bool moves = solid.velocity[0] != 0 || solid.velocity[1] != 0 || solid.velocity[2] != 0;
+        return moves ? addFloor.template operator()<true>() : addFloor.template operator()<false>();
       }
       block.add([&](const auto& place, const auto& velocity, const auto& isFree) {
         return touchOf<shape, rubs>(math, solid, place, velocity, isFree, known).force();
