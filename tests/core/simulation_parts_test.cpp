@@ -139,12 +139,12 @@ TEST(EnergyWatch, DoesNotBelieveTheLossOfBlowsThatTheChecksHappenToMeet) {
 /// The status after as many checks, between which damping takes `power` (W) and the stored energy falls by `fall` (J);
 /// at the check `pause` it does not rise. As many steps as have their power asked for have it.
 Status statusAfter(int checks, int order, double power, double fall, int pause = 0, bool knowsPower = true,
-                   bool isTaken = true) {
+                   bool isFollowed = true) {
   EnergyWatch watch = quietWatch(false, order);
   double stored = 0;
   for (int check = 1; check <= checks; ++check) {
     for (int step = 0; step < 4 && watch.suspects() && knowsPower; ++step) watch.sample(power);
-    watch.follow(power, check, isTaken);
+    if (isFollowed) watch.follow(power, check);
     watch.lose(0, check);
     stored -= check == pause ? power : fall;
     watch.check({.stored = elastic(stored), .time = double(check)});
@@ -162,8 +162,7 @@ TEST(EnergyWatch, HearsASteadyRiseThatDampingHides) {
   EXPECT_EQ(statusAfter(100, 1, power, power - 1.1 * rise), Status::Ok) << "a method of order 1 is not that exact";
   EXPECT_EQ(statusAfter(kFirst, 2, power, power - 1.1 * rise, kFirst - 1), Status::Ok) << "it begins anew";
   EXPECT_EQ(statusAfter(100, 2, power, power - 1.1 * rise, 0, false), Status::Ok) << "it is estimated alone";
-  EXPECT_EQ(statusAfter(100, 2, power, power - 3 * rise, 0, true, false), Status::Ok) << "damping takes less than that";
-  EXPECT_EQ(statusAfter(kFirst, 2, power, power - 5 * rise, 0, true, false), Status::Unstable);
+  EXPECT_EQ(statusAfter(100, 2, power, power - 5 * rise, 0, true, false), Status::Ok) << "damping may take less";
 }
 
 TEST(EnergyWatch, CountsTheDriftFromWhereTheLedgerIsFollowed) {

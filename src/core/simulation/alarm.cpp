@@ -27,10 +27,10 @@ void Alarm::useOrder(int order) {
   storedBefore_ = kUnknown;
 }
 
-void Alarm::follow(double power, double time, bool isTaken) {
+void Alarm::follow(double power, double time) {
   isSampled_ = samples_ > 0;
   lostSince_ = (time - lastTime_) * (isSampled_ ? sampled_ / samples_ : (power + powerBefore_) / 2);
-  powerBefore_ = power, isTaken_ = isTaken;
+  powerBefore_ = power;
 }
 
 void Alarm::lose(double power, double time) {
@@ -59,8 +59,7 @@ double Alarm::Sum::riseTo(double value, double large) {
 
 /// What is not known does not rise. The first rise is an estimate, after which the power of every step is asked for.
 bool Alarm::risesSteadily(double stored, double large) {
-  const double least = (isTaken_ ? kSteadyRise : kSteadyRiseOfLess) * large;
-  seesRise_ = order_ >= 2 && stored + lostSince_ - storedBefore_ > least;
+  seesRise_ = order_ >= 2 && stored + lostSince_ - storedBefore_ > kSteadyRise * large;
   steadyRises_ = seesRise_ && isSampled_ ? steadyRises_ + 1 : 0;
   storedBefore_ = stored, lostSince_ = kUnknown;
   return steadyRises_ >= kSteadyRises;

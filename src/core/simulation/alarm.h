@@ -29,8 +29,6 @@ class Alarm {
   /// fraction of the scale from one regular check to the next, so many times in a row, while the power of every step is
   /// known. A blow does not last as long, and below its limit the energy of such a method does not go on rising.
   static constexpr double kSteadyRise = 1.0 / 256;
-  /// The same for a method that stays stable however large the damping is: it takes less energy than damping would.
-  static constexpr double kSteadyRiseOfLess = 1.0 / 64;
   static constexpr int kSteadyRises = 8;
 
   /// `floor` (J): what counts as a large energy in a run where nothing larger happens (a hundredth of stretch);
@@ -51,9 +49,9 @@ class Alarm {
   /// have brought is not taken off: it is lost all the time, and without it the sum would fall for ever while a cloth
   /// jitters in the wind.
   void lose(double power, double time);
-  /// The same power for the steady rises, before lose(), but not for steps of a method's own choice. `isTaken`: whether
-  /// the method takes as much, about.
-  void follow(double power, double time, bool isTaken);
+  /// The same power for the steady rises, before lose(). Not to be called where the steps take less than that power, or
+  /// are of the method's own choice: nothing is then known to rise.
+  void follow(double power, double time);
   /// Whether sample() is to be called with the power (W) after every step until the next regular check, its own too.
   [[nodiscard]] bool suspects() const { return suspects_ || seesRise_; }
   void sample(double power) { sampled_ += power, ++samples_; }
@@ -94,7 +92,7 @@ class Alarm {
   double lostSince_ = kUnknown, storedBefore_ = kUnknown;  // J, since the regular check before, and at it
   double powerBefore_ = 0;                                 // W, at that check
   int steadyRises_ = 0;                                    // in a row, up to the last regular check
-  bool isSampled_ = false, isTaken_ = true, seesRise_ = false;
+  bool isSampled_ = false, seesRise_ = false;
   int order_ = 1;
   Sum stored_, balance_;
   bool touches_ = false, checked_ = false, lossIsPresent_ = true, suspects_ = false, isSure_ = false;

@@ -42,7 +42,7 @@ class EnergyWatch {
   void useOrder(int order) { alarm_.useOrder(order); }
   void expect(double forcing, double h) { alarm_.expect(forcing, h); }
   void lose(double power, double time) { alarm_.lose(power, time); }
-  void follow(double power, double time, bool isTaken) { alarm_.follow(power, time, isTaken); }
+  void follow(double power, double time) { alarm_.follow(power, time); }
   [[nodiscard]] bool suspects() const { return alarm_.suspects(); }
   void sample(double power) { alarm_.sample(power); }
 

@@ -102,9 +102,9 @@ void Simulation::Impl::finishSteps(double h, int count, double timeAfter) {
   }
   // Steps of a method's own choice let fast waves jitter within the tolerance.
   const bool keepsTheBalance = !stepsFreely() && takesWhatDampingTakes(*run.method);
-  const Power power = stepsFreely() ? powerToSupply() : backend->power(timeAfter);
+  const Power power = keepsTheBalance ? backend->power(timeAfter) : powerToSupply();
   checkSupply(power);
-  if (!stepsFreely()) run.energies.follow(power.lost, timeAfter, keepsTheBalance);
+  if (keepsTheBalance) run.energies.follow(power.lost, timeAfter);
   run.energies.lose(keepsTheBalance ? power.lost : 0, timeAfter);
   run.largestSpeed = std::max(run.largestSpeed, approach());
   run.energies.check(sample(power));
