@@ -159,6 +159,7 @@ TEST(EnergyWatch, HearsASteadyRiseThatDampingHides) {
   EXPECT_EQ(statusAfter(kFirst, 2, power, power - 1.1 * rise), Status::Unstable);
   EXPECT_EQ(statusAfter(kFirst - 1, 2, power, power - 1.1 * rise), Status::Ok);
   EXPECT_EQ(statusAfter(100, 2, power, power - 0.9 * rise), Status::Ok) << "it is too small";
+  EXPECT_EQ(statusAfter(100, 2, power, power - 1.1 * Alarm::kThreshold * large), Status::Ok) << "it is too large";
   EXPECT_EQ(statusAfter(100, 1, power, power - 1.1 * rise), Status::Ok) << "a method of order 1 is not that exact";
   EXPECT_EQ(statusAfter(kFirst, 2, power, power - 1.1 * rise, kFirst - 1), Status::Ok) << "it begins anew";
   EXPECT_EQ(statusAfter(100, 2, power, power - 1.1 * rise, 0, false), Status::Ok) << "it is estimated alone";

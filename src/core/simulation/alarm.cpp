@@ -59,7 +59,8 @@ double Alarm::Sum::riseTo(double value, double large) {
 
 /// What is not known does not rise. The first rise is an estimate, after which the power of every step is asked for.
 bool Alarm::risesSteadily(double stored, double large) {
-  seesRise_ = order_ >= 2 && stored + lostSince_ - storedBefore_ > kSteadyRise * large;
+  const double rise = (stored + lostSince_ - storedBefore_) / large;
+  seesRise_ = order_ >= 2 && rise > kSteadyRise && rise < kThreshold;
   steadyRises_ = seesRise_ && isSampled_ ? steadyRises_ + 1 : 0;
   storedBefore_ = stored, lostSince_ = kUnknown;
   return steadyRises_ >= kSteadyRises;

@@ -26,8 +26,9 @@ class Alarm {
   /// Of the estimated power: the mean power until the next check that confirms the estimate.
   static constexpr double kConfirmed = 0.5;
   /// A method of order 2 or higher is unstable as well where the sum of the stored and the lost energy rises by this
-  /// fraction of the scale from one regular check to the next, so many times in a row, while the power of every step is
-  /// known. A blow does not last as long, and below its limit the energy of such a method does not go on rising.
+  /// fraction of the scale, but less than kThreshold, from one regular check to the next, so many times in a row, while
+  /// the power of every step is known. A blow does not last as long, and below its limit the energy of such a method
+  /// does not go on rising. Larger rises are those of stiff dampers, which take less than their power tells.
   static constexpr double kSteadyRise = 1.0 / 256;
   static constexpr int kSteadyRises = 8;
 
