@@ -24,17 +24,15 @@ double hundredthStretch(const Scene& scene, const Sheet& sheet) {
 void Alarm::useOrder(int order) {
   order_ = order;
   stored_.lowest = std::numeric_limits<double>::infinity();
-  storedBefore_ = kUnknown;
+  storedBefore_.fill(kUnknown);
 }
 
-void Alarm::follow(double power, double time) {
-  isSampled_ = samples_ > 0;
-  lostSince_ = (time - lastTime_) * (isSampled_ ? sampled_ / samples_ : (power + powerBefore_) / 2);
-  powerBefore_ = power;
-}
-
-void Alarm::lose(double power, double time) {
+void Alarm::lose(double power, double time, Taken taken) {
   const double explained = std::max(0.0, flowedBefore_), span = time - lastTime_;
+  takenSince_ = taken == Taken::Unknown ? 0 : power * span;
+  if (taken != Taken::AsMuch) power = 0;
+  isSampled_ = samples_ > 0;
+  lostSince_ = taken != Taken::AsMuch ? kUnknown : span * (isSampled_ ? sampled_ / samples_ : (power + lastPower_) / 2);
   lost_ -= std::max(0.0, lost_ - explained) / kMemory;
   isSure_ = !touches_ || (suspects_ && sampled_ >= kConfirmed * estimated_ * samples_);
   estimated_ = std::min(power, lastPower_);
@@ -59,11 +57,26 @@ double Alarm::Sum::riseTo(double value, double large) {
 
 /// What is not known does not rise. The first rise is an estimate, after which the power of every step is asked for.
 bool Alarm::risesSteadily(double stored, double large) {
-  const double rise = (stored + lostSince_ - storedBefore_) / large;
+  const double rise = (stored + lostSince_ - storedBefore_.front()) / large;
   seesRise_ = order_ >= 2 && rise > kSteadyRise && rise < kThreshold;
   steadyRises_ = seesRise_ && isSampled_ ? steadyRises_ + 1 : 0;
-  storedBefore_ = stored, lostSince_ = kUnknown;
-  return steadyRises_ >= kSteadyRises;
+  return steadyRises_ >= kSteadyChecks;
+}
+
+/// What damping took must be missing from what is stored.
+bool Alarm::missesNoLoss(double stored, double large) {
+  const bool isLost = order_ >= 2 ? takenSince_ > kSteadyLoss * large
+                                  : takenSince_ > kSteadyLossOfFirstOrder * large && stored >= storedBefore_.front();
+  steadyLosses_ = isLost ? steadyLosses_ + 1 : 0;
+  return steadyLosses_ >= kSteadyChecks && stored >= storedBefore_.back();
+}
+
+/// The rules of steady changes, at a regular check.
+bool Alarm::changesSteadily(double stored, double large) {
+  const bool rises = risesSteadily(stored, large), keeps = missesNoLoss(stored, large);
+  std::rotate(storedBefore_.begin(), storedBefore_.end() - 1, storedBefore_.end());
+  storedBefore_.front() = stored;
+  return rises || keeps;
 }
 
 Status Alarm::check(const StoredEnergy& energy, double work, double flowing) {
@@ -74,7 +87,7 @@ Status Alarm::check(const StoredEnergy& energy, double work, double flowing) {
   largest_ = std::max({largest_, energy.sizeSinceStart(), std::abs(work - flowing), flowedLately_});
   const double large = scale() + firstSteps_;
   bool rises = stored_.riseTo(stored, large) > (order_ >= 3 ? kThresholdOfHighOrder : kThreshold);
-  if (lossIsPresent_ && risesSteadily(stored, large)) rises = true;
+  if (lossIsPresent_ && changesSteadily(stored, large)) rises = true;
   if (lossIsPresent_ && balance_.riseTo(stored + lost_, large) > kThreshold) {
     rises = rises || isSure_;
     suspects_ = !isSure_;

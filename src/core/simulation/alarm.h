@@ -1,11 +1,14 @@
 // The energy alarm. Damping only takes energy away, so two sums never rise by themselves in a real cloth. The first is
 // the energy that the cloth stores, less the work put in. The second is the first plus the energy that damping has
 // taken lately. Where a method past its limit explodes, the first sum rises. Where it only jitters, damping takes away
-// the energy that the method adds at every step, so that the stored energy stays small, and the second sum rises.
+// the energy that the method adds at every step, so that the stored energy stays small. Then the second sum rises, and
+// the first one does not fall although damping takes energy.
 //
 // Must not know: where the energies come from, methods.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <limits>
 
 #include "core/forces/forces.h"
@@ -30,16 +33,30 @@ class Alarm {
   /// the power of every step is known. A blow does not last as long, and below its limit the energy of such a method
   /// does not go on rising. Larger rises are those of stiff dampers, which take less than their power tells.
   static constexpr double kSteadyRise = 1.0 / 256;
-  static constexpr int kSteadyRises = 8;
+  /// A run is unstable as well where damping takes more than this fraction of the scale from each regular check to the
+  /// next, and the energy that is stored, less the work put in, has not fallen all the same. The stored energy of a
+  /// first-order method swings by itself. There it must not fall from any check to the next, and damping must take
+  /// more.
+  static constexpr double kSteadyLoss = 1.0 / 32768, kSteadyLossOfFirstOrder = 1.0 / 1024;
+  /// How many regular checks in a row make a rise or a loss a steady one.
+  static constexpr int kSteadyChecks = 8;
 
   /// `floor` (J): what counts as a large energy in a run where nothing larger happens (a hundredth of stretch);
   /// `startEnergy` = K + E at the start; `order` of the method. `touches`: there are bodies, and blows of the cloth on
   /// them.
   Alarm(double floor, double startEnergy, int order, bool touches = false)
-      : floor_(floor), largest_(startEnergy), order_(order), touches_(touches) {}
+      : floor_(floor), largest_(startEnergy), order_(order), touches_(touches) {
+    storedBefore_.fill(kUnknown);
+  }
 
   /// From here on another method steps, of this order. Its rises count from here.
   void useOrder(int order);
+  /// What is known of the energy that the steps take for the damping.
+  enum class Taken : std::uint8_t {
+    AsMuch,   ///< about as much as damping would take
+    Less,     ///< less in fast waves, as methods do that stay stable however large the damping is
+    Unknown,  ///< of steps that a method chooses itself, and of methods without a limit
+  };
   /// Takes the power (W) that damping takes at a time (s), at the regular checks alone and before check().
   /// The energy lost between two checks is estimated as the time between them times the lower of the two powers. That
   /// is too little where the motion dies out or grows, and nearly right for a jitter, which stays the same. It is too
@@ -48,11 +65,9 @@ class Alarm {
   /// estimate, the sum begins anew. Each check takes a part 1/kMemory off D, so that small errors of the estimate do
   /// not add up over a long run; this only lowers the sum, and so never sets off the alarm. What winds, pins and bodies
   /// have brought is not taken off: it is lost all the time, and without it the sum would fall for ever while a cloth
-  /// jitters in the wind.
-  void lose(double power, double time);
-  /// The same power for the steady rises, before lose(). Not to be called where the steps take less than that power, or
-  /// are of the method's own choice: nothing is then known to rise.
-  void follow(double power, double time);
+  /// jitters in the wind. Where the steps take less than damping would, the second sum and the steady rises know
+  /// nothing of the loss, and where that is unknown the steady losses do not either.
+  void lose(double power, double time, Taken taken);
   /// Whether sample() is to be called with the power (W) after every step until the next regular check, its own too.
   [[nodiscard]] bool suspects() const { return suspects_ || seesRise_; }
   void sample(double power) { sampled_ += power, ++samples_; }
@@ -82,6 +97,8 @@ class Alarm {
     double riseTo(double value, double large);
   };
   [[nodiscard]] bool risesSteadily(double stored, double large);
+  [[nodiscard]] bool missesNoLoss(double stored, double large);
+  [[nodiscard]] bool changesSteadily(double stored, double large);
 
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -90,9 +107,9 @@ class Alarm {
   double lost_ = 0, lastPower_ = 0, lastTime_ = 0;
   double estimated_ = 0, sampled_ = 0;  // W, between the last two checks, and the sum of the samples since
   int samples_ = 0;
-  double lostSince_ = kUnknown, storedBefore_ = kUnknown;  // J, since the regular check before, and at it
-  double powerBefore_ = 0;                                 // W, at that check
-  int steadyRises_ = 0;                                    // in a row, up to the last regular check
+  double lostSince_ = kUnknown, takenSince_ = 0;      // J, since the regular check before: as known to rises, to losses
+  std::array<double, kSteadyChecks> storedBefore_{};  // J, at the last regular checks, the latest first
+  int steadyRises_ = 0, steadyLosses_ = 0;            // in a row, up to the last regular check
   bool isSampled_ = false, seesRise_ = false;
   int order_ = 1;
   Sum stored_, balance_;

@@ -41,8 +41,7 @@ class EnergyWatch {
   /// See the functions of Alarm of these names.
   void useOrder(int order) { alarm_.useOrder(order); }
   void expect(double forcing, double h) { alarm_.expect(forcing, h); }
-  void lose(double power, double time) { alarm_.lose(power, time); }
-  void follow(double power, double time) { alarm_.follow(power, time); }
+  void lose(double power, double time, Alarm::Taken taken) { alarm_.lose(power, time, taken); }
   [[nodiscard]] bool suspects() const { return alarm_.suspects(); }
   void sample(double power) { alarm_.sample(power); }
 

@@ -19,10 +19,12 @@ constexpr std::int64_t kWorkBetweenQuestions = std::int64_t{1} << 24;
 /// Fused steps need as many at once to keep two threads in step.
 constexpr std::int64_t kFewestFused = 16;
 
-/// Whether the method takes as much energy from fast waves as their damping does, about. A method that stays stable
-/// however large the damping is takes less.
-bool takesWhatDampingTakes(const Method& method) {
-  return method.stableStep != nullptr && std::isfinite(method.stableStep(0, 1));
+/// Steps of a method's own choice let fast waves jitter within the tolerance.
+Alarm::Taken takenBy(const Method& method, bool stepsFreely) {
+  const bool hasLimit = method.stableStep != nullptr || method.stableStepOfScene != nullptr;
+  if (stepsFreely || !hasLimit) return Alarm::Taken::Unknown;
+  const bool dampingLimits = method.stableStep != nullptr && std::isfinite(method.stableStep(0, 1));
+  return dampingLimits ? Alarm::Taken::AsMuch : Alarm::Taken::Less;
 }
 
 }  // namespace
@@ -100,12 +102,10 @@ void Simulation::Impl::finishSteps(double h, int count, double timeAfter) {
     if (stepsToQuestion() < stepsToCheck()) askObserver();
     return;
   }
-  // Steps of a method's own choice let fast waves jitter within the tolerance.
-  const bool keepsTheBalance = !stepsFreely() && takesWhatDampingTakes(*run.method);
-  const Power power = keepsTheBalance ? backend->power(timeAfter) : powerToSupply();
+  const Alarm::Taken taken = takenBy(*run.method, stepsFreely());
+  const Power power = taken == Alarm::Taken::Unknown ? powerToSupply() : backend->power(timeAfter);
   checkSupply(power);
-  if (keepsTheBalance) run.energies.follow(power.lost, timeAfter);
-  run.energies.lose(keepsTheBalance ? power.lost : 0, timeAfter);
+  run.energies.lose(power.lost, timeAfter, taken);
   run.largestSpeed = std::max(run.largestSpeed, approach());
   run.energies.check(sample(power));
   askObserver();
