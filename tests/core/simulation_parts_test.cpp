@@ -108,11 +108,12 @@ TEST(EnergyWatch, ForgetsWhatDampingTookLongAgo) {
   for (const bool isMore : {false, true}) {
     EnergyWatch watch = quietWatch(false);
     const double large = watch.ledger({}).scale;
-    // Damping takes a fifth of the scale in as many checks as are remembered, and the stored energy does not fall.
-    const double power = large / (5 * Alarm::kMemory), factor = isMore ? 1.5 : 1;
+    // Damping takes a fifth of the scale in as many checks as are remembered, and the stored energy hardly falls.
+    const double power = (isMore ? 1.5 : 1) * large / (5 * Alarm::kMemory), fall = 1e-6 * large;
     for (int check = 1; check <= 100; ++check) {
-      watch.lose(factor * power, check);
-      watch.check({.time = double(check)});
+      for (int step = 0; step < 4 && watch.suspects(); ++step) watch.sample(power);
+      watch.lose(power, check, Alarm::Taken::AsMuch);
+      watch.check({.stored = elastic(-fall * check), .time = double(check)});
     }
     EXPECT_EQ(watch.status(), isMore ? Status::Unstable : Status::Ok);
   }
@@ -120,15 +121,13 @@ TEST(EnergyWatch, ForgetsWhatDampingTookLongAgo) {
 
 TEST(EnergyWatch, DoesNotBelieveTheLossOfBlowsThatTheChecksHappenToMeet) {
   for (const bool lasts : {false, true}) {
-    Scene scene = softSheet(Damping::Relative);
-    scene.bodies = {{.shape = Shape::Ball}};
-    EnergyWatch watch(scene, makeSheet(scene), {}, 1, false);
-    const double power = watch.ledger({}).scale / 3;
+    EnergyWatch watch = quietWatch(false);
+    const double large = watch.ledger({}).scale, power = large / 3, fall = 1e-6 * large;
     bool suspected = false;
     for (int check = 1; check <= 100; ++check) {
       for (int step = 1; step <= 8 && watch.suspects(); ++step) watch.sample(lasts || step == 8 ? power : 0);
-      watch.lose(power, check);
-      watch.check({.time = double(check)});
+      watch.lose(power, check, Alarm::Taken::AsMuch);
+      watch.check({.stored = elastic(-fall * check), .time = double(check)});
       suspected = suspected || watch.suspects();
     }
     EXPECT_TRUE(suspected);
@@ -136,34 +135,90 @@ TEST(EnergyWatch, DoesNotBelieveTheLossOfBlowsThatTheChecksHappenToMeet) {
   }
 }
 
-/// The status after as many checks, between which damping takes `power` (W) and the stored energy falls by `fall` (J);
-/// at the check `pause` it does not rise. As many steps as have their power asked for have it.
-Status statusAfter(int checks, int order, double power, double fall, int pause = 0, bool knowsPower = true,
-                   bool isFollowed = true) {
-  EnergyWatch watch = quietWatch(false, order);
+/// A second between two checks, and steps whose power is told where it is asked for.
+struct Checks {
+  int order = 2;
+  double power = 0;    ///< W, that damping takes at the checks
+  double sampled = 0;  ///< W, after each step
+  double fall = 0;     ///< J, of the stored energy from check to check
+  int pause = 0;       ///< the check that the stored energy falls by all of `power`
+  Alarm::Taken taken = Alarm::Taken::AsMuch;
+};
+
+/// The check that raises the alarm; 0: none of a hundred.
+int raisedAt(const Checks& checks) {
+  EnergyWatch watch = quietWatch(false, checks.order);
   double stored = 0;
-  for (int check = 1; check <= checks; ++check) {
-    for (int step = 0; step < 4 && watch.suspects() && knowsPower; ++step) watch.sample(power);
-    if (isFollowed) watch.follow(power, check);
-    watch.lose(0, check);
-    stored -= check == pause ? power : fall;
+  for (int check = 1; check <= 100; ++check) {
+    for (int step = 0; step < 4 && watch.suspects(); ++step) watch.sample(checks.sampled);
+    watch.lose(checks.power, check, checks.taken);
+    stored -= check == checks.pause ? checks.power : checks.fall;
     watch.check({.stored = elastic(stored), .time = double(check)});
+    if (watch.status() != Status::Ok) return check;
   }
-  return watch.status();
+  return 0;
 }
 
 TEST(EnergyWatch, HearsASteadyRiseThatDampingHides) {
-  const double large = quietWatch(false).ledger({}).scale, rise = Alarm::kSteadyRise * large, power = large;
+  const double large = quietWatch(false).ledger({}).scale, rise = 1.1 * Alarm::kSteadyRise * large, power = large / 10;
   // The first check has none before it, and the rise to the second one is estimated.
-  constexpr int kFirst = 2 + Alarm::kSteadyRises;
-  EXPECT_EQ(statusAfter(kFirst, 2, power, power - 1.1 * rise), Status::Unstable);
-  EXPECT_EQ(statusAfter(kFirst - 1, 2, power, power - 1.1 * rise), Status::Ok);
-  EXPECT_EQ(statusAfter(100, 2, power, power - 0.9 * rise), Status::Ok) << "it is too small";
-  EXPECT_EQ(statusAfter(100, 2, power, power - 1.1 * Alarm::kThreshold * large), Status::Ok) << "it is too large";
-  EXPECT_EQ(statusAfter(100, 1, power, power - 1.1 * rise), Status::Ok) << "a method of order 1 is not that exact";
-  EXPECT_EQ(statusAfter(kFirst, 2, power, power - 1.1 * rise, kFirst - 1), Status::Ok) << "it begins anew";
-  EXPECT_EQ(statusAfter(100, 2, power, power - 1.1 * rise, 0, false), Status::Ok) << "it is estimated alone";
-  EXPECT_EQ(statusAfter(100, 2, power, power - 5 * rise, 0, true, false), Status::Ok) << "damping may take less";
+  constexpr int kFirst = 2 + Alarm::kSteadyChecks;
+  const Checks steady{.power = power, .sampled = power, .fall = power - rise};
+  EXPECT_EQ(raisedAt(steady), kFirst);
+  const auto but = [&](const auto& change) {
+    Checks checks = steady;
+    change(checks);
+    return raisedAt(checks);
+  };
+  EXPECT_EQ(but([&](Checks& c) { c.fall = power - 0.8 * rise; }), 0) << "it is too small";
+  EXPECT_EQ(but([&](Checks& c) { c.sampled = power + Alarm::kThreshold * large; }), 0) << "it is too large";
+  EXPECT_EQ(but([&](Checks& c) { c.order = 1; }), 0) << "a method of order 1 is not that exact";
+  EXPECT_EQ(but([&](Checks& c) { c.pause = kFirst - 1; }), 2 * kFirst - 2) << "it begins anew";
+  EXPECT_EQ(but([&](Checks& c) { c.sampled = power - rise; }), 0) << "it is estimated alone";
+  EXPECT_EQ(but([&](Checks& c) { c.taken = Alarm::Taken::Less; }), 0) << "damping may take less";
+}
+
+TEST(EnergyWatch, AsksWhereTheLossIsThatDampingTook) {
+  const double large = quietWatch(false).ledger({}).scale;
+  constexpr int kFirst = 1 + Alarm::kSteadyChecks;  // the first check has none before it
+  const auto at = [&](int order, double power, double fall, Alarm::Taken taken = Alarm::Taken::AsMuch) {
+    return raisedAt(
+        {.order = order, .power = power * large, .sampled = power * large, .fall = fall * large, .taken = taken});
+  };
+  const double least = Alarm::kLeastLoss, leastOfFirst = Alarm::kLeastLossOfFirstOrder;
+  for (const Alarm::Taken taken : {Alarm::Taken::AsMuch, Alarm::Taken::Less}) {
+    EXPECT_EQ(at(2, 1.1 * least, 0, taken), kFirst);
+    EXPECT_EQ(at(1, 1.1 * leastOfFirst, 0, taken), kFirst);
+  }
+  EXPECT_EQ(at(2, 0.9 * least, 0), 0) << "it is too small";
+  EXPECT_EQ(at(1, 0.9 * leastOfFirst, 0), 0) << "it is too small";
+  EXPECT_EQ(at(2, 1.1 * least, 1e-6), 0) << "some of it is missing";
+  EXPECT_EQ(at(2, 1.1 * least, 0, Alarm::Taken::Unknown), 0) << "it is not known";
+}
+
+/// A first-order method's energy swings by itself, and may be where it was eight checks before.
+TEST(EnergyWatch, LetsTheEnergyOfAFirstOrderMethodSwing) {
+  for (const int order : {1, 2}) {
+    EnergyWatch watch = quietWatch(false, order);
+    const double large = watch.ledger({}).scale, power = 2 * Alarm::kLeastLossOfFirstOrder * large;
+    for (int check = 1; check <= 20; ++check) {
+      watch.lose(power, check, Alarm::Taken::AsMuch);
+      watch.check({.stored = elastic(check % 4 == 0 ? -power : 0), .time = double(check)});
+    }
+    EXPECT_EQ(watch.status(), order == 1 ? Status::Ok : Status::Unstable);
+  }
+}
+
+/// What another method has stored at the checks before is not compared with.
+TEST(EnergyWatch, CountsAMissingLossFromWhereTheMethodSteps) {
+  EnergyWatch watch = quietWatch(false, 2);
+  const double large = watch.ledger({}).scale, power = 2 * Alarm::kLeastLoss * large;
+  for (int check = 1; check <= 12; ++check) {
+    if (check == 7) watch.useOrder(4);
+    watch.lose(power, check, Alarm::Taken::AsMuch);
+    watch.check({.time = double(check)});
+  }
+  EXPECT_EQ(watch.status(), Status::Ok);
 }
 
 TEST(EnergyWatch, CountsTheDriftFromWhereTheLedgerIsFollowed) {

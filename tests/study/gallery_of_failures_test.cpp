@@ -114,6 +114,8 @@ TEST(GalleryOfFailures, TheRefinedSheetHasTheCoarseSheetsPredictionButStretches)
   coarse.integrator = "leapfrog", coarse.dt = fine.dt;
   EXPECT_EQ(run(coarse).status(), Status::Ok);
   EXPECT_GT(run(fine).ledger().maxStretch, 9);
+  EXPECT_EQ(withStep(fine, 2.3e-3), Status::Ok);
+  EXPECT_EQ(withStep(fine, 2.4e-3), Status::Unstable);
 }
 
 }  // namespace

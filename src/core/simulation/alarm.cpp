@@ -1,4 +1,4 @@
-// The sums whose rise sets the alarm off, and the scale that rises are compared with.
+// What sets the alarm off, and the scale that rises and losses are compared with.
 #include "core/simulation/alarm.h"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ void Alarm::lose(double power, double time, Taken taken) {
   isSampled_ = samples_ > 0;
   lostSince_ = taken != Taken::AsMuch ? kUnknown : span * (isSampled_ ? sampled_ / samples_ : (power + lastPower_) / 2);
   lost_ -= std::max(0.0, lost_ - explained) / kMemory;
-  isSure_ = !touches_ || (suspects_ && sampled_ >= kConfirmed * estimated_ * samples_);
+  isSure_ = suspects_ && sampled_ >= kConfirmed * estimated_ * samples_;
   estimated_ = std::min(power, lastPower_);
   if (suspects_ && !isSure_) {
     balance_.lowest = std::numeric_limits<double>::infinity();
@@ -63,17 +63,17 @@ bool Alarm::risesSteadily(double stored, double large) {
   return steadyRises_ >= kSteadyChecks;
 }
 
-/// What damping took must be missing from what is stored.
-bool Alarm::missesNoLoss(double stored, double large) {
-  const bool isLost = order_ >= 2 ? takenSince_ > kSteadyLoss * large
-                                  : takenSince_ > kSteadyLossOfFirstOrder * large && stored >= storedBefore_.front();
-  steadyLosses_ = isLost ? steadyLosses_ + 1 : 0;
-  return steadyLosses_ >= kSteadyChecks && stored >= storedBefore_.back();
+/// Whether what damping took is not missing from what is stored.
+bool Alarm::keepsWhatIsLost(double stored, double large) {
+  const bool counts = order_ >= 2 ? takenSince_ > kLeastLoss * large
+                                  : takenSince_ > kLeastLossOfFirstOrder * large && stored >= storedBefore_.front();
+  keptLosses_ = counts ? keptLosses_ + 1 : 0;
+  return keptLosses_ >= kSteadyChecks && stored >= storedBefore_.back();
 }
 
 /// The rules of steady changes, at a regular check.
 bool Alarm::changesSteadily(double stored, double large) {
-  const bool rises = risesSteadily(stored, large), keeps = missesNoLoss(stored, large);
+  const bool rises = risesSteadily(stored, large), keeps = keepsWhatIsLost(stored, large);
   std::rotate(storedBefore_.begin(), storedBefore_.end() - 1, storedBefore_.end());
   storedBefore_.front() = stored;
   return rises || keeps;
@@ -97,7 +97,7 @@ Status Alarm::check(const StoredEnergy& energy, double work, double flowing) {
 }
 
 Alarm makeAlarm(const Scene& scene, const Sheet& sheet, const StoredEnergy& start, int order) {
-  return {hundredthStretch(scene, sheet), start.withNaturalZero(), order, !scene.bodies.empty()};
+  return {hundredthStretch(scene, sheet), start.withNaturalZero(), order};
 }
 
 }  // namespace tyg

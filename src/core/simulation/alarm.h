@@ -28,45 +28,43 @@ class Alarm {
   static constexpr double kMemory = 16;
   /// Of the estimated power: the mean power until the next check that confirms the estimate.
   static constexpr double kConfirmed = 0.5;
-  /// A method of order 2 or higher is unstable as well where the sum of the stored and the lost energy rises by this
-  /// fraction of the scale, but less than kThreshold, from one regular check to the next, so many times in a row, while
-  /// the power of every step is known. A blow does not last as long, and below its limit the energy of such a method
-  /// does not go on rising. Larger rises are those of stiff dampers, which take less than their power tells.
+  /// A steady rise: with a method of order 2 or higher a run is unstable as well where the stored energy, less the work
+  /// put in, and what damping took in between rise by this fraction of the scale, but less than kThreshold, from one
+  /// regular check to the next, kSteadyChecks times in a row, after one rise that is estimated. A blow does not last as
+  /// long, and below its limit the energy of such a method does not go on rising. Larger rises are those of stiff
+  /// dampers, which take less than their power tells.
   static constexpr double kSteadyRise = 1.0 / 256;
-  /// A run is unstable as well where damping takes more than this fraction of the scale from each regular check to the
-  /// next, and the energy that is stored, less the work put in, has not fallen all the same. The stored energy of a
-  /// first-order method swings by itself. There it must not fall from any check to the next, and damping must take
-  /// more.
-  static constexpr double kSteadyLoss = 1.0 / 32768, kSteadyLossOfFirstOrder = 1.0 / 1024;
-  /// How many regular checks in a row make a rise or a loss a steady one.
+  /// A missing loss: a run is unstable as well where damping takes more than this fraction of the scale between regular
+  /// checks, kSteadyChecks times in a row, and the stored energy, less the work put in, is no lower after these than
+  /// before. The stored energy of a first-order method swings by itself. There damping must take more, and the energy
+  /// must not fall between any two of these checks.
+  static constexpr double kLeastLoss = 1.0 / 32768, kLeastLossOfFirstOrder = 1.0 / 1024;
   static constexpr int kSteadyChecks = 8;
 
   /// `floor` (J): what counts as a large energy in a run where nothing larger happens (a hundredth of stretch);
-  /// `startEnergy` = K + E at the start; `order` of the method. `touches`: there are bodies, and blows of the cloth on
-  /// them.
-  Alarm(double floor, double startEnergy, int order, bool touches = false)
-      : floor_(floor), largest_(startEnergy), order_(order), touches_(touches) {
+  /// `startEnergy` = K + E at the start; `order` of the method.
+  Alarm(double floor, double startEnergy, int order) : floor_(floor), largest_(startEnergy), order_(order) {
     storedBefore_.fill(kUnknown);
   }
 
   /// From here on another method steps, of this order. Its rises count from here.
   void useOrder(int order);
-  /// What is known of the energy that the steps take for the damping.
+  /// How much of the energy that damping would take the steps really take.
   enum class Taken : std::uint8_t {
-    AsMuch,   ///< about as much as damping would take
-    Less,     ///< less in fast waves, as methods do that stay stable however large the damping is
-    Unknown,  ///< of steps that a method chooses itself, and of methods without a limit
+    AsMuch,   ///< about all of it
+    Less,     ///< less of fast waves, as methods do that stay stable however large the damping is
+    Unknown,  ///< steps that a method chooses itself, and methods without a limit
   };
   /// Takes the power (W) that damping takes at a time (s), at the regular checks alone and before check().
   /// The energy lost between two checks is estimated as the time between them times the lower of the two powers. That
   /// is too little where the motion dies out or grows, and nearly right for a jitter, which stays the same. It is too
-  /// much where both powers are those of short blows. So where bodies are touched a rise of the second sum is only a
-  /// suspicion until the next check. If the mean of the powers of the steps in between is less than kConfirmed of the
-  /// estimate, the sum begins anew. Each check takes a part 1/kMemory off D, so that small errors of the estimate do
-  /// not add up over a long run; this only lowers the sum, and so never sets off the alarm. What winds, pins and bodies
-  /// have brought is not taken off: it is lost all the time, and without it the sum would fall for ever while a cloth
-  /// jitters in the wind. Where the steps take less than damping would, the second sum and the steady rises know
-  /// nothing of the loss, and where that is unknown the steady losses do not either.
+  /// much where both powers are those of short blows, of bodies or of pins that are jerked. So a rise of the second sum
+  /// is only a suspicion until the next check. If the mean of the powers of the steps in between is less than
+  /// kConfirmed of the estimate, the sum begins anew. Each check takes a part 1/kMemory off D, so that small errors of
+  /// the estimate do not add up over a long run; this only lowers the sum, and so never sets off the alarm. What winds,
+  /// pins and bodies have brought is not taken off: it is lost all the time, and without it the sum would fall for ever
+  /// while a cloth jitters in the wind. Of steps that take less only the rule of the missing loss uses the power, and
+  /// of those of which that is unknown none does.
   void lose(double power, double time, Taken taken);
   /// Whether sample() is to be called with the power (W) after every step until the next regular check, its own too.
   [[nodiscard]] bool suspects() const { return suspects_ || seesRise_; }
@@ -78,7 +76,8 @@ class Alarm {
   void expect(double forcing, double h);
   /// Takes the energies at one time (J) and returns the status of the run. May be called as often as one likes: the
   /// balance changes only with the first check after lose(), when stored and lost energy are of the same time. Of
-  /// `work`, `flowing` is what winds and moving pins have done: it may grow for ever while all of it is lost again.
+  /// `work`, `flowing` is what winds, bodies and moving pins have done: it may grow for ever while all of it is lost
+  /// again.
   Status check(const StoredEnergy& energy, double work, double flowing = 0);
 
   /// S: the largest over the run of |G|, the |W| of pushes, what else did work during about the last kMemory regular
@@ -97,7 +96,7 @@ class Alarm {
     double riseTo(double value, double large);
   };
   [[nodiscard]] bool risesSteadily(double stored, double large);
-  [[nodiscard]] bool missesNoLoss(double stored, double large);
+  [[nodiscard]] bool keepsWhatIsLost(double stored, double large);
   [[nodiscard]] bool changesSteadily(double stored, double large);
 
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -107,13 +106,14 @@ class Alarm {
   double lost_ = 0, lastPower_ = 0, lastTime_ = 0;
   double estimated_ = 0, sampled_ = 0;  // W, between the last two checks, and the sum of the samples since
   int samples_ = 0;
-  double lostSince_ = kUnknown, takenSince_ = 0;      // J, since the regular check before: as known to rises, to losses
+  double lostSince_ = kUnknown;  // J, since the regular check before, from the mean power; NaN unless Taken::AsMuch
+  double takenSince_ = 0;        // J, the same from the power at its end; 0 for Taken::Unknown
   std::array<double, kSteadyChecks> storedBefore_{};  // J, at the last regular checks, the latest first
-  int steadyRises_ = 0, steadyLosses_ = 0;            // in a row, up to the last regular check
+  int steadyRises_ = 0, keptLosses_ = 0;              // in a row, up to the last regular check
   bool isSampled_ = false, seesRise_ = false;
   int order_ = 1;
   Sum stored_, balance_;
-  bool touches_ = false, checked_ = false, lossIsPresent_ = true, suspects_ = false, isSure_ = false;
+  bool checked_ = false, lossIsPresent_ = true, suspects_ = false, isSure_ = false;
 };
 
 /// The alarm of a scene that starts with these energies and is stepped by a method of this order.

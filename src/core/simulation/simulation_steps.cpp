@@ -19,7 +19,8 @@ constexpr std::int64_t kWorkBetweenQuestions = std::int64_t{1} << 24;
 /// Fused steps need as many at once to keep two threads in step.
 constexpr std::int64_t kFewestFused = 16;
 
-/// Steps of a method's own choice let fast waves jitter within the tolerance.
+/// How much the steps of a method take of what damping would. Steps of its own choice let fast waves jitter within the
+/// tolerance.
 Alarm::Taken takenBy(const Method& method, bool stepsFreely) {
   const bool hasLimit = method.stableStep != nullptr || method.stableStepOfScene != nullptr;
   if (stepsFreely || !hasLimit) return Alarm::Taken::Unknown;
