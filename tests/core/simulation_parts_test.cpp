@@ -185,22 +185,22 @@ TEST(EnergyWatch, AsksWhereTheLossIsThatDampingTook) {
     return raisedAt(
         {.order = order, .power = power * large, .sampled = power * large, .fall = fall * large, .taken = taken});
   };
-  const double least = Alarm::kLeastLoss, leastOfFirst = Alarm::kLeastLossOfFirstOrder;
+  const double least = Alarm::kLeastLoss, leastOfLow = Alarm::kLeastLossOfLowOrder;
   for (const Alarm::Taken taken : {Alarm::Taken::AsMuch, Alarm::Taken::Less}) {
-    EXPECT_EQ(at(2, 1.1 * least, 0, taken), kFirst);
-    EXPECT_EQ(at(1, 1.1 * leastOfFirst, 0, taken), kFirst);
+    EXPECT_EQ(at(3, 1.1 * least, 0, taken), kFirst);
+    for (const int order : {1, 2}) EXPECT_EQ(at(order, 1.1 * leastOfLow, 0, taken), kFirst);
   }
-  EXPECT_EQ(at(2, 0.9 * least, 0), 0) << "it is too small";
-  EXPECT_EQ(at(1, 0.9 * leastOfFirst, 0), 0) << "it is too small";
-  EXPECT_EQ(at(2, 1.1 * least, 1e-6), 0) << "some of it is missing";
-  EXPECT_EQ(at(2, 1.1 * least, 0, Alarm::Taken::Unknown), 0) << "it is not known";
+  EXPECT_EQ(at(3, 0.9 * least, 0), 0) << "it is too small";
+  for (const int order : {1, 2}) EXPECT_EQ(at(order, 0.9 * leastOfLow, 0), 0) << "it is too small";
+  EXPECT_EQ(at(3, 1.1 * least, 1e-6), 0) << "some of it is missing";
+  EXPECT_EQ(at(3, 1.1 * least, 0, Alarm::Taken::Unknown), 0) << "it is not known";
 }
 
 /// A first-order method's energy swings by itself, and may be where it was eight checks before.
 TEST(EnergyWatch, LetsTheEnergyOfAFirstOrderMethodSwing) {
   for (const int order : {1, 2}) {
     EnergyWatch watch = quietWatch(false, order);
-    const double large = watch.ledger({}).scale, power = 2 * Alarm::kLeastLossOfFirstOrder * large;
+    const double large = watch.ledger({}).scale, power = 2 * Alarm::kLeastLossOfLowOrder * large;
     for (int check = 1; check <= 20; ++check) {
       watch.lose(power, check, Alarm::Taken::AsMuch);
       watch.check({.stored = elastic(check % 4 == 0 ? -power : 0), .time = double(check)});
@@ -211,7 +211,7 @@ TEST(EnergyWatch, LetsTheEnergyOfAFirstOrderMethodSwing) {
 
 /// What another method has stored at the checks before is not compared with.
 TEST(EnergyWatch, CountsAMissingLossFromWhereTheMethodSteps) {
-  EnergyWatch watch = quietWatch(false, 2);
+  EnergyWatch watch = quietWatch(false, 3);
   const double large = watch.ledger({}).scale, power = 2 * Alarm::kLeastLoss * large;
   for (int check = 1; check <= 12; ++check) {
     if (check == 7) watch.useOrder(4);

@@ -65,8 +65,8 @@ bool Alarm::risesSteadily(double stored, double large) {
 
 /// Whether what damping took is not missing from what is stored.
 bool Alarm::keepsWhatIsLost(double stored, double large) {
-  const bool counts = order_ >= 2 ? takenSince_ > kLeastLoss * large
-                                  : takenSince_ > kLeastLossOfFirstOrder * large && stored >= storedBefore_.front();
+  const bool isLost = takenSince_ > (order_ >= 3 ? kLeastLoss : kLeastLossOfLowOrder) * large;
+  const bool counts = isLost && (order_ >= 2 || stored >= storedBefore_.front());
   keptLosses_ = counts ? keptLosses_ + 1 : 0;
   return keptLosses_ >= kSteadyChecks && stored >= storedBefore_.back();
 }

@@ -36,9 +36,10 @@ class Alarm {
   static constexpr double kSteadyRise = 1.0 / 256;
   /// A missing loss: a run is unstable as well where damping takes more than this fraction of the scale between regular
   /// checks, kSteadyChecks times in a row, and the stored energy, less the work put in, is no lower after these than
-  /// before. The stored energy of a first-order method swings by itself. There damping must take more, and the energy
-  /// must not fall between any two of these checks.
-  static constexpr double kLeastLoss = 1.0 / 32768, kLeastLossOfFirstOrder = 1.0 / 1024;
+  /// before. The stored energy of a method of order 1 or 2 swings by itself, by more than light damping takes
+  /// meanwhile. There damping must take more, and with order 1 the energy must not fall between any two of these
+  /// checks.
+  static constexpr double kLeastLoss = 1.0 / 32768, kLeastLossOfLowOrder = 1.0 / 1024;
   static constexpr int kSteadyChecks = 8;
 
   /// `floor` (J): what counts as a large energy in a run where nothing larger happens (a hundredth of stretch);

@@ -98,7 +98,10 @@ void Simulation::Impl::finishSteps(double h, int count, double timeAfter) {
   run.largestStep = std::max(run.largestStep, h);
   run.steps += count;
   run.energies.expect(forcing, h);
-  if (run.energies.suspects()) run.energies.sample(backend->power(timeAfter).lost);
+  if (run.energies.suspects()) {
+    const Power power = backend->power(timeAfter);
+    run.energies.sample(power.lost), checkSupply(power);
+  }
   if (run.steps % kStepsBetweenChecks != 0) {
     if (stepsToQuestion() < stepsToCheck()) askObserver();
     return;
