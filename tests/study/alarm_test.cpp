@@ -183,7 +183,7 @@ TEST(Alarm, IsRaisedByAJitterWhoseLossIsNotMissing) {
     const Method& method = findMethod(jitter.method);
     const double rest = restLatticeLimit(test::randomTouchingCloth(jitter.seed, 1), method);
     Scene scene = test::randomTouchingCloth(jitter.seed, 2000 * rest);
-    for (const double share : {0.95, jitter.above}) {
+    for (const double share : {0.8, jitter.above}) {
       scene.dt = share * rest;
       Simulation simulation(scene, method);
       simulation.advanceTo(scene.duration);
