@@ -176,6 +176,18 @@ TEST(EnergyWatch, HearsASteadyRiseThatDampingHides) {
   EXPECT_EQ(but([&](Checks& c) { c.pause = kFirst - 1; }), 2 * kFirst - 2) << "it begins anew";
   EXPECT_EQ(but([&](Checks& c) { c.sampled = power - rise; }), 0) << "it is estimated alone";
   EXPECT_EQ(but([&](Checks& c) { c.taken = Alarm::Taken::Less; }), 0) << "damping may take less";
+  EXPECT_EQ(but([&](Checks& c) { c.taken = Alarm::Taken::Unknown; }), 0) << "the loss is not known";
+}
+
+TEST(EnergyWatch, BelievesARiseThatIsMostOfTheLossWhereDampingMayTakeLess) {
+  const double large = quietWatch(false).ledger({}).scale, least = Alarm::kSteadyRiseOfLess * large;
+  constexpr int kFirst = 2 + Alarm::kSteadyChecks;
+  const auto at = [&](double power, double rise) {
+    return raisedAt({.power = power, .sampled = power, .fall = power - rise, .taken = Alarm::Taken::Less});
+  };
+  EXPECT_EQ(at(1.5 * least, 1.1 * least), kFirst);
+  EXPECT_EQ(at(1.5 * least, 0.9 * least), 0) << "it is too small";
+  EXPECT_EQ(at(3 * least, 1.1 * least), 0) << "it may be the method's error";
 }
 
 TEST(EnergyWatch, AsksWhereTheLossIsThatDampingTook) {

@@ -172,14 +172,15 @@ TEST(Alarm, IsRaisedByAJitterInContactWhichItsDampingHolds) {
   }
 }
 
-/// Jitters that neither sum tells, nor a rise: what damping takes is not missing from the energy that the cloth stores.
-TEST(Alarm, IsRaisedByAJitterWhoseLossIsNotMissing) {
+/// Jitters that neither sum tells.
+TEST(Alarm, IsRaisedBySmallJitters) {
   struct Case {
     unsigned seed;
     const char* method;
     double above;  ///< of the limit at rest
   };
-  for (const Case& jitter : {Case{124, "rk4", 1.05}, Case{46, "imex", 1.1}, Case{43, "explicit-euler", 1.3}}) {
+  for (const Case& jitter :
+       {Case{124, "rk4", 1.05}, Case{46, "imex", 1.1}, Case{104, "rkc2", 1.1}, Case{43, "explicit-euler", 1.3}}) {
     const Method& method = findMethod(jitter.method);
     const double rest = restLatticeLimit(test::randomTouchingCloth(jitter.seed, 1), method);
     Scene scene = test::randomTouchingCloth(jitter.seed, 2000 * rest);

@@ -29,10 +29,10 @@ void Alarm::useOrder(int order) {
 
 void Alarm::lose(double power, double time, Taken taken) {
   const double explained = std::max(0.0, flowedBefore_), span = time - lastTime_;
+  isSampled_ = samples_ > 0, takesLess_ = taken == Taken::Less;
   takenSince_ = taken == Taken::Unknown ? 0 : power * span;
+  lostSince_ = taken == Taken::Unknown ? kUnknown : isSampled_ ? span * sampled_ / samples_ : takenSince_;
   if (taken != Taken::AsMuch) power = 0;
-  isSampled_ = samples_ > 0;
-  lostSince_ = taken != Taken::AsMuch ? kUnknown : span * (isSampled_ ? sampled_ / samples_ : (power + lastPower_) / 2);
   lost_ -= std::max(0.0, lost_ - explained) / kMemory;
   isSure_ = suspects_ && sampled_ >= kConfirmed * estimated_ * samples_;
   estimated_ = std::min(power, lastPower_);
@@ -58,7 +58,8 @@ double Alarm::Sum::riseTo(double value, double large) {
 /// What is not known does not rise. The first rise is an estimate, after which the power of every step is asked for.
 bool Alarm::risesSteadily(double stored, double large) {
   const double rise = (stored + lostSince_ - storedBefore_.front()) / large;
-  seesRise_ = order_ >= 2 && rise > kSteadyRise && rise < kThreshold;
+  const double least = takesLess_ ? std::max(kSteadyRiseOfLess, kSurplus * lostSince_ / large) : kSteadyRise;
+  seesRise_ = order_ >= 2 && rise > least && rise < kThreshold;
   steadyRises_ = seesRise_ && isSampled_ ? steadyRises_ + 1 : 0;
   return steadyRises_ >= kSteadyChecks;
 }

@@ -34,6 +34,9 @@ class Alarm {
   /// long, and below its limit the energy of such a method does not go on rising. Larger rises are those of stiff
   /// dampers, which take less than their power tells.
   static constexpr double kSteadyRise = 1.0 / 256;
+  /// Steps that take less than damping would leave a rise in sound runs too, but never so large a part of the loss. The
+  /// rise of those must be more than this fraction of the scale, and more than kSurplus of what damping took.
+  static constexpr double kSteadyRiseOfLess = 1.0 / 1024, kSurplus = 0.5;
   /// A missing loss: a run is unstable as well where damping takes more than this fraction of the scale between regular
   /// checks, kSteadyChecks times in a row, and the stored energy, less the work put in, is no lower after these than
   /// before. The stored energy of a method of order 1 or 2 swings by itself, by more than light damping takes
@@ -64,8 +67,8 @@ class Alarm {
   /// kConfirmed of the estimate, the sum begins anew. Each check takes a part 1/kMemory off D, so that small errors of
   /// the estimate do not add up over a long run; this only lowers the sum, and so never sets off the alarm. What winds,
   /// pins and bodies have brought is not taken off: it is lost all the time, and without it the sum would fall for ever
-  /// while a cloth jitters in the wind. Of steps that take less only the rule of the missing loss uses the power, and
-  /// of those of which that is unknown none does.
+  /// while a cloth jitters in the wind. Of steps that take less the
+  /// second sum does not use the power, and of those of which that is unknown no rule does.
   void lose(double power, double time, Taken taken);
   /// Whether sample() is to be called with the power (W) after every step until the next regular check, its own too.
   [[nodiscard]] bool suspects() const { return suspects_ || seesRise_; }
@@ -107,11 +110,11 @@ class Alarm {
   double lost_ = 0, lastPower_ = 0, lastTime_ = 0;
   double estimated_ = 0, sampled_ = 0;  // W, between the last two checks, and the sum of the samples since
   int samples_ = 0;
-  double lostSince_ = kUnknown;  // J, since the regular check before, from the mean power; NaN unless Taken::AsMuch
-  double takenSince_ = 0;        // J, the same from the power at its end; 0 for Taken::Unknown
+  double takenSince_ = 0;        // J, since the regular check before, from the power at its end; 0 if unknown
+  double lostSince_ = kUnknown;  // J, the same from the mean power where that was sampled; NaN if unknown
   std::array<double, kSteadyChecks> storedBefore_{};  // J, at the last regular checks, the latest first
   int steadyRises_ = 0, keptLosses_ = 0;              // in a row, up to the last regular check
-  bool isSampled_ = false, seesRise_ = false;
+  bool isSampled_ = false, seesRise_ = false, takesLess_ = false;
   int order_ = 1;
   Sum stored_, balance_;
   bool checked_ = false, lossIsPresent_ = true, suspects_ = false, isSure_ = false;
