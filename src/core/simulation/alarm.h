@@ -39,9 +39,8 @@ class Alarm {
   static constexpr double kSteadyRiseOfLess = 1.0 / 1024, kSurplus = 0.5;
   /// A missing loss: a run is unstable as well where damping takes more than this fraction of the scale between regular
   /// checks, kSteadyChecks times in a row, and the stored energy, less the work put in, is no lower after these than
-  /// before. The stored energy of a method of order 1 or 2 swings by itself, by more than light damping takes
-  /// meanwhile. There damping must take more, and with order 1 the energy must not fall between any two of these
-  /// checks.
+  /// before. The stored energy of a method of order 1 or 2 swings by itself, by more than light damping takes. There
+  /// damping must take more, and with order 1 the energy must not fall between any two of these checks.
   static constexpr double kLeastLoss = 1.0 / 32768, kLeastLossOfLowOrder = 1.0 / 1024;
   static constexpr int kSteadyChecks = 8;
 
@@ -67,8 +66,8 @@ class Alarm {
   /// kConfirmed of the estimate, the sum begins anew. Each check takes a part 1/kMemory off D, so that small errors of
   /// the estimate do not add up over a long run; this only lowers the sum, and so never sets off the alarm. What winds,
   /// pins and bodies have brought is not taken off: it is lost all the time, and without it the sum would fall for ever
-  /// while a cloth jitters in the wind. Of steps that take less the
-  /// second sum does not use the power, and of those of which that is unknown no rule does.
+  /// while a cloth jitters in the wind. Of steps that take less the second sum does not use the power, and of those of
+  /// which that is unknown no rule does.
   void lose(double power, double time, Taken taken);
   /// Whether sample() is to be called with the power (W) after every step until the next regular check, its own too.
   [[nodiscard]] bool suspects() const { return suspects_ || seesRise_; }
