@@ -242,6 +242,13 @@ TEST(Run, TellsWhatTheMethodLostFromWhatDampersTook) {
   }
 }
 
+TEST(Run, TellsWhereTheWorkOfTheWindIsEstimated) {
+  EXPECT_TRUE(holds(tyg("run sail --duration 0.1").out, "work of wind about "));
+  const std::string exact = tyg("run sail --duration 0.1 --ledger").out;
+  EXPECT_TRUE(holds(exact, "work of wind "));
+  EXPECT_FALSE(holds(exact, "about ")) << exact;
+}
+
 TEST(Run, ADriftWithoutAnEnergyIsNoNumber) {
   const Folder folder;
   const std::string text = std::string(kTwoParticles) +

@@ -155,7 +155,10 @@ std::string energyLines(const FinishedRun& run) {
   }
   std::string text = fmt::format("energy        kinetic {:.4g} J", now.kinetic);
   for (const auto& [name, joules] : now.stored) text += fmt::format(", {} {:.4g} J", name, joules);
-  for (const auto& [name, joules] : now.work) text += fmt::format(", work of {} {:.4g} J", name, joules);
+  for (const auto& [name, joules] : now.work) {
+    const bool isEstimated = name == "wind" && !run.followsLoss;  // from its power at the energy checks
+    text += fmt::format(", work of {} {}{:.4g} J", name, isEstimated ? "about " : "", joules);
+  }
   text += "\n";
   if (run.followsLoss)
     text += fmt::format("ledger        damping and drag dissipated {:.4g} J; {}\n", now.dissipated,
