@@ -116,6 +116,7 @@ TEST(GalleryOfFailures, TheRefinedSheetHasTheCoarseSheetsPredictionButStretches)
   EXPECT_GT(run(fine).ledger().maxStretch, 9);
   EXPECT_EQ(withStep(fine, 2.3e-3), Status::Ok);
   EXPECT_EQ(withStep(fine, 2.4e-3), Status::Unstable);
+  EXPECT_EQ(withStep(fine, 2.5e-3), Status::Unstable);
 }
 
 }  // namespace
